@@ -38,11 +38,12 @@ const pictureFile = (entry) => `${entry.case}${typeof entry.picture === 'string'
 
 const question = (text) => text.match(/\*\*Question\.\*\* ([\s\S]*?)\n\n/)[1].replace(/\s+/g, ' ').trim();
 
-/** The part of the energy that the linear model leaves out, in per cent. */
+/** The largest difference of the two models, in per cent. */
 function linearity(json) {
-  const part = json.linearity.left_out;
+  const part = json.linearity.difference;
+  if (part === null) return 'With finite rotations there is no stable solution nearby.';
   const share = part < 1e-4 ? 'less than 0.01' : part < 10 ? Number((100 * part).toPrecision(2)) : 'more than 1000';
-  return `Left out: ${share} %.`;
+  return `Finite rotations: ${share} %.`;
 }
 
 function section(entry) {
@@ -61,7 +62,7 @@ Answer: ${answers.join('; ')}. ${linearity(json)} [Case](../cases/${entry.case}/
 const top = `# Gallery
 
 \`plastron run cases/NAME/case.toml --output out/NAME\` computes a case of [cases](../cases). Each answer has its path in \`results.json\`.
-"Left out" is the part of the energy that the [linear model leaves out](theory.md#what-linearity-leaves-out); the run warns from 5 % on.
+"Finite rotations" is the largest difference of energy, reactions and displacement from the [model of finite rotations](methods/finite-rotations.md); the run warns from 5 % on.
 Red lines bound contact zones, grey surfaces are obstacles. Small displacements are enlarged.
 \`scripts/make-gallery\` makes this page.
 `;

@@ -94,6 +94,20 @@ CLI::App* add_run(CLI::App& program, Options& options) {
   return run;
 }
 
+CLI::App* add_modes(CLI::App& program, Options& options) {
+  CLI::App* modes =
+      add_command(program, "modes", "Solve a case, and compute its buckling loads and natural frequencies",
+                  "Directory for results.json, report.html and the .vtu files", options);
+  modes->add_flag("--no-report", options.without_report, "Write no report.html");
+  modes->add_option("--buckling", options.buckling, "Number of buckling loads; default: the case's, or 6")
+      ->check(CLI::Range(0, 200));
+  modes
+      ->add_option("--vibration", options.vibration,
+                   "Number of natural frequencies; default: the case's, or 6 if the shell has a density")
+      ->check(CLI::Range(0, 200));
+  return modes;
+}
+
 /// `verify` takes results, not a case.
 CLI::App* add_verify(CLI::App& program, Options& options) {
   CLI::App* verify = program.add_subcommand(
@@ -109,6 +123,7 @@ CLI::App* add_verify(CLI::App& program, Options& options) {
 CommonCommands add_common_commands(CLI::App& program, Options& options) {
   return {
       .run = add_run(program, options),
+      .modes = add_modes(program, options),
       .check = add_command(program, "check", "Examine a case without solving it", "", options),
       .compare = add_compare(program, options),
       .verify = add_verify(program, options),

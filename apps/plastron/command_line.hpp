@@ -24,13 +24,15 @@ constexpr ExitCode exit_code(contact::Status status) {
   }
 }
 
-/// Options of run, check, compare and verify. Options that a command does not use keep their defaults.
+/// Options of run, modes, check, compare and verify. Options that a command does not use keep their defaults.
 struct Options {
   std::filesystem::path case_file;
   std::filesystem::path output;
   std::vector<std::string> settings{};  ///< settings that replace keys of the case file
   bool quiet = false;                   ///< print errors only
   int threads = 0;                      ///< for each process; 0: as many as the amount of work justifies
+  int buckling = -1;                    ///< modes: number of buckling loads; -1: the case's, or 6
+  int vibration = -1;                   ///< modes: number of natural frequencies, likewise
   bool without_report = false;          ///< run: no report.html
   bool json_log = false;                ///< events on standard error
   bool solvers = false;                 ///< compare: contact solvers instead of formulations
@@ -70,9 +72,9 @@ struct PartsOptions {
   std::string page{};  ///< HTML file to write; empty: none
 };
 
-/// The commands run, check, compare and verify, which share one Options.
+/// The commands run, modes, check, compare and verify, which share one Options.
 struct CommonCommands {
-  CLI::App *run, *check, *compare, *verify;
+  CLI::App *run, *modes, *check, *compare, *verify;
 };
 
 /// The commands that compute nothing. The solver program needs their names only for its help.

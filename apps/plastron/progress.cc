@@ -127,7 +127,7 @@ void Progress::instant(const computation::HistoryEntry& entry) {
       std::span(entry.summary.obstacles).first(std::min(entry.summary.obstacles.size(), most_obstacles));
   if (!has_instants_) {
     print("\n{:>9} {:<20} {:>7} {:>8} {:>6} {:>16} {:>16} {:>8}", "time", "step", "loads", "contact", "steps",
-          with_unit_names("max |u| [m]"), with_unit_names("energy [J]"), "left out");
+          with_unit_names("max |u| [m]"), with_unit_names("energy [J]"), "|u| / e");
     for (const auto& obstacle : obstacles)
       print(" {:>18}",
             (obstacles.size() == 1 ? "obstacle" : geometry::shortened(obstacle.name, 14)) + with_unit_names(" [N]"));
@@ -136,8 +136,7 @@ void Progress::instant(const computation::HistoryEntry& entry) {
   has_instants_ = true;
   print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e} {:>8.2g}", entry.time,
         geometry::shortened(entry.step, 20), entry.load_factor, entry.level.active, entry.level.iterations,
-        entry.summary.max_displacement, entry.summary.energy.total(),
-        computation::left_out(entry.summary, entry.level).largest());
+        entry.summary.max_displacement, entry.summary.energy.total(), entry.summary.max_relative_displacement);
   for (const auto& obstacle : obstacles) print(" {:>18.6e}", obstacle.reaction.force.norm());
   print("{}\n", entry.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(entry.status)));
   if (is_first_rank()) std::fflush(stdout);
@@ -245,13 +244,42 @@ void print_layers(const computation::Result& result) {
     print("                  and {} more (layers in results.json)\n", result.layers.size() / components - most);
 }
 
+/// Prints the numbers of the linear model whose error is largest, and the distance from buckling.
 void print_linearity(const computation::Result& result) {
-  const computation::LeftOut part = computation::left_out(result.summary, result.last_level());
-  print("linearity         leaves out {} of the energy (forces on turned parts {}, stretch {}, turned lengths {})\n",
-        computation::percent(part.largest()), computation::percent(part.work),
-        computation::percent(part.remaining_stretch.value_or(part.stretch)), computation::percent(part.rotation));
-  if (const auto& buckling = result.last_level().linearity.buckling; buckling.value_or(0) > 0)
+  if (result.model) {
+    const std::string word = computation::word_of(*result.model);
+    print("linear model      ");
+    if (word == "unknown")
+      print("the comparison with finite rotations failed\n");
+    else if (word == "solved")
+      print("with finite rotations numbers change by {}\n", computation::percent(result.model->largest()));
+    else
+      print("with finite rotations the shell {}\n",
+            word == "unstable" ? "is not stable near this solution" : "has no equilibrium near this solution");
+    for (const computation::ModelQuantity& q : result.model->quantities)
+      print("                  {} {:.4g} {}, linear {:.4g} ({})\n", q.name, q.finite, q.unit, q.linear,
+            computation::percent(q.difference()));
+  }
+  if (const auto& buckling = result.last_level().buckling; buckling.value_or(0) > 0)
     print("                  membrane forces are {:.2g} times the buckling load\n", *buckling);
+}
+
+/// Prints load factors and natural frequencies.
+void print_modes(const std::vector<computation::Mode>& modes) {
+  using Kind = computation::Mode::Kind;
+  for (const Kind kind : {Kind::buckling, Kind::vibration}) {
+    std::string numbers;
+    for (const computation::Mode& mode : modes) {
+      if (mode.kind != kind) continue;
+      numbers += numbers.empty() ? "" : ", ";
+      numbers += kind == Kind::buckling ? fmt::format("{:.5g}", mode.value)
+                 : mode.value >= 0      ? fmt::format("{:.5g}", mode.frequency())
+                                        : "a motion that grows";
+    }
+    if (numbers.empty()) continue;
+    print("{:<18}{} {}\n", kind == Kind::buckling ? "buckling at" : "frequencies", numbers,
+          kind == Kind::buckling ? "times the loads" : "Hz");
+  }
 }
 
 /// The parameters of a point; on a mesh in space its position.
@@ -271,10 +299,11 @@ void print_summary(const computation::Result& result) {
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
   print_estimates(result);
   print_linearity(result);
+  print_modes(result.modes);
   print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
         s.max_relative_displacement, s.max_rotation);
   print_stress(result);
-  print("                  strain {:.2g} %\n", 100 * s.second_order.largest_strain);
+  print("                  strain {:.2g} %\n", 100 * s.max_strain);
   print_layers(result);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));

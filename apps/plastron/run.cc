@@ -117,9 +117,24 @@ ExitCode run(const Options& options) {
   return exit_code(result.status);
 }
 
+/// Returns the options of `run` with settings for the modes that the command asks for.
+Options with_modes(Options options) {
+  const config::Case c = read_case(options.case_file, options.settings);
+  const bool asks_for_none = c.problem.modes.buckling == 0 && c.problem.modes.vibration == 0;
+  const auto set = [&](const char* key, int asked, bool is_possible) {
+    if (asked < 0 && !(asks_for_none && is_possible)) return;
+    constexpr int usual = 6;
+    options.settings.push_back(fmt::format("modes.{}={}", key, asked < 0 ? usual : asked));
+  };
+  set("buckling", options.buckling, true);
+  set("vibration", options.vibration, c.problem.shell.sections.has_mass());
+  return options;
+}
+
 ExitCode carry_out(const CommandLine& line) {
   if (line.parts->parsed()) return parts(line.parts_options);
   if (line.commands.verify->parsed()) return verify(line.options);
+  if (line.commands.modes->parsed()) return run(with_modes(line.options));
   return line.commands.run->parsed() ? run(line.options) : check(line.options);
 }
 

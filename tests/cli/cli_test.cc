@@ -137,6 +137,31 @@ TEST(GoodCase, prints_its_levels_and_writes_its_results) {
   EXPECT_EQ(results.at("levels").size(), 2u);
 }
 
+TEST(Modes, are_six_of_both_unless_the_case_or_the_command_says_otherwise) {
+  const Scratch scratch;
+  std::string with_density = case_with(0);
+  with_density.replace(with_density.find("nu = 0.3"), 8, "nu = 0.3\ndensity = 1.0");
+  scratch.write("light.toml", case_with(0));
+  scratch.write("case.toml", with_density);
+  const auto count = [&](const std::vector<std::string>& arguments) {
+    const Outcome outcome = plastron(arguments, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    std::pair<int, int> numbers{0, 0};
+    const auto results = results_in(scratch.path / "out");
+    for (const auto& mode : results.at("modes")) ++(mode.at("frequency").is_null() ? numbers.first : numbers.second);
+    return numbers;
+  };
+  EXPECT_EQ(count({"modes", "case.toml", "-o", "out"}), std::pair(6, 6));
+  EXPECT_EQ(count({"modes", "light.toml", "-o", "out"}), std::pair(6, 0));
+  EXPECT_EQ(count({"modes", "case.toml", "-o", "out", "--buckling", "0", "--vibration", "2"}), std::pair(0, 2));
+  EXPECT_EQ(count({"run", "case.toml", "-o", "out"}), std::pair(0, 0));
+  EXPECT_EQ(plastron({"verify", "out"}, scratch.path).exit_code, 0);
+  const Outcome wrong = plastron({"modes", "light.toml", "-o", "no", "--vibration", "2"}, scratch.path);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.output, HasSubstr("density"));
+  EXPECT_FALSE(fs::exists(scratch.path / "no"));
+}
+
 TEST(GoodCase, may_name_its_units_which_does_not_change_its_title) {
   const Scratch scratch;
   const std::string given = "title = \"Pressed strip", named = "title = \"Strip of 5 m";

@@ -56,6 +56,23 @@ void expect_sound(const Result& result) {
   EXPECT_LT(result.certificate.support_error, 1e-12);
 }
 
+// The comparison with finite rotations turns the body, and the shell on it, without strain.
+TEST(RigidBodyInTheModelOfFiniteRotations, TurnsItsShellByAnyAngle) {
+  for (const double angle : {0.3, 1.2}) {
+    problem::Problem p = beam({.name = "holder",
+                               .boundaries = {"left"},
+                               .reference = {0, width / 2, 0},
+                               .fixed = {0.0, 0.0, 0.0, 0.0, angle, 0.0}});
+    p.shell.supports.clear();
+    p.model.steps = 20;
+    const Result r = solve(p, MPI_COMM_WORLD);
+    ASSERT_TRUE(r.model.has_value());
+    EXPECT_TRUE(r.model->is_converged) << r.model->steps;
+    EXPECT_LT(r.model->quantities[0].finite, 1e-12 * young * thickness);
+    EXPECT_NEAR(r.model->quantities[1].finite, 2 * std::sin(angle / 2) * length, 1e-9);
+  }
+}
+
 struct Element {
   mesh::Shape cells;
   int degree;

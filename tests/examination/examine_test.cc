@@ -50,6 +50,14 @@ std::vector<problem::Problem> good_problems() {
   return all;
 }
 
+TEST(Weight, that_nothing_pulls_at_is_told_unless_the_shell_shall_vibrate) {
+  problem::Problem p = cantilever_plate();
+  p.shell.sections.common.density = 7850;
+  EXPECT_THAT(texts(p, Severity::warning), ElementsAre(HasSubstr("nothing pulls")));
+  p.modes.vibration = 1;
+  EXPECT_THAT(texts(p, Severity::warning), IsEmpty());
+}
+
 TEST(GoodProblem, is_only_described) {
   for (const problem::Problem& p : good_problems()) {
     const auto findings = examine(p);

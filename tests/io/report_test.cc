@@ -77,7 +77,7 @@ TEST(Report, holds_the_numbers_of_results_json_and_all_sections) {
   const std::string energy = results["energy"].dump();
   EXPECT_THAT(page, HasSubstr("data-path=\"energy\" title=\"" + energy + "\""));
   // The share that the linear model omits stands at the top.
-  EXPECT_LT(page.find("data-path=\"linearity/left_out\""), page.find("<section"));
+  EXPECT_LT(page.find("data-path=\"linearity/max_strain\""), page.find("<section"));
   EXPECT_THAT(page, HasSubstr("The von Mises stress is largest at ("));
   for (const char* id :
        {"shell", "estimates", "balance", "contact", "probes", "plots", "certificate", "levels", "files"})

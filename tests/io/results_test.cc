@@ -47,6 +47,10 @@ computation::Result some_result(bool has_obstacle) {
   result.estimates->geometry = {.largest = 1e-6, .judged_share = 1};
   result.estimates->goals = {{.name = "energy", .unit = "J", .value = 2, .estimate = -0.25, .contact_edge = 0.5}};
   result.probes = {{"a point", some_point()}};
+  result.model =
+      computation::ModelCheck{.quantities = {{.name = "energy", .unit = "J", .linear = 3, .finite = 2, .least = 1e-9}}};
+  result.modes = {{.kind = computation::Mode::Kind::buckling, .value = 4},
+                  {.kind = computation::Mode::Kind::vibration, .value = 9}};
   result.levels.push_back(
       {.cells = 3'000'000'000, .history = {{.active = 7, .safeguarded = true}}, .seconds = {.mesh = 2, .assembly = 3}});
   result.history.push_back(
@@ -83,6 +87,17 @@ TEST(Results, have_every_key_that_the_documentation_promises) {
   for (const char* key : {"cells", "nodes", "unknowns", "active", "iterations", "factorisations", "status", "energy",
                           "reaction", "min_gap", "linear_residual", "seconds", "history"})
     EXPECT_TRUE(json["levels"][0].contains(key)) << key;
+}
+
+TEST(Results, compare_the_linear_model_and_have_the_modes) {
+  const Json json = some_json();
+  EXPECT_EQ(json["linearity"]["status"], "solved");
+  EXPECT_EQ(json["linearity"]["difference"], Json(0.5));
+  EXPECT_EQ(json["linearity"]["quantities"][0]["finite"], Json(2.0));
+  EXPECT_EQ(json["modes"][0]["name"], "buckling_1");
+  EXPECT_EQ(json["modes"][0]["load_factor"], Json(4.0));
+  EXPECT_NEAR(json["modes"][1]["frequency"].get<double>(), 3 / (2 * M_PI), 1e-15);
+  EXPECT_EQ(json["modes"][1]["load_factor"], Json(nullptr));
 }
 
 TEST(Results, tell_the_estimated_error_of_what_was_asked_for) {

@@ -22,6 +22,12 @@ struct CrossSections {
 
   /// Returns the cross-section of the region that contains a cell.
   const CrossSection& at(const mesh::CoarseMesh& coarse, const fem::Cell& cell) const;
+  /// Whether some part has a density.
+  bool has_mass() const {
+    for (const auto& [name, section] : regions)
+      if (section.density > 0) return true;
+    return common.density > 0;
+  }
   /// Returns the largest number of layers of a laminate; 0 without laminates.
   int most_layers() const;
   /// Returns the material of the smallest E. With it, measures of the whole shell are conservative.

@@ -37,9 +37,8 @@ const char* missed_reason(const solution::ObstacleContact& obstacle) {
 }
 
 std::string place_of(const solution::ObstacleContact& obstacle) {
-  return fmt::format("{}{} at x = {:.4g}, y = {:.4g}", obstacle.name.empty() ? "the obstacle" : "the obstacle ",
-                     obstacle.name.empty() ? "" : fmt::format("\"{}\"", obstacle.name), obstacle.least_gap_at[0],
-                     obstacle.least_gap_at[1]);
+  return fmt::format("{}{} at {}", obstacle.name.empty() ? "the obstacle" : "the obstacle ",
+                     obstacle.name.empty() ? "" : fmt::format("\"{}\"", obstacle.name), obstacle.least_gap_place);
 }
 
 /// Adds the row of the obstacle that exceeds its limit most.

@@ -1,8 +1,11 @@
 #include <plastron/certificate/inside_obstacles.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/fem/surface.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/obstacle/error.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +89,11 @@ std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, con
     contact.least_gap = algebra::min_over_ranks(least, comm);
     if (!std::isfinite(contact.least_gap)) continue;
     if (least > contact.least_gap) at.setConstant(nowhere);
-    contact.least_gap_at[0] = algebra::min_over_ranks(at[0], comm);
-    contact.least_gap_at[1] = algebra::min_over_ranks(at[0] > contact.least_gap_at[0] ? nowhere : at[1], comm);
+    Eigen::Vector2d place(algebra::min_over_ranks(at[0], comm), 0);
+    place[1] = algebra::min_over_ranks(at[0] > place[0] ? nowhere : at[1], comm);
+    contact.least_gap_place = discrete.shell.surface().has_directors()
+                                  ? fem::place_text(discrete.shell.surface(), place)
+                                  : fmt::format("x = {:.4g}, y = {:.4g}", place[0], place[1]);
   }
   std::ranges::copy_if(cells, std::back_inserter(entered), [](const CellGap& cell) { return cell.gap < 0; });
   return entered;

@@ -103,12 +103,11 @@ class LevelRun {
     return estimates;
   }
 
-  /// Computes the parts that the linear model omits from that solution; where errors are estimated, buckling too.
-  estimation::Linearity linearity(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
-                                  const solution::Summary& summary) {
+  std::optional<double> buckling(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
+                                 const solution::Summary& summary) {
     Stopwatch watch;
     last_->kept.keep();
-    const auto found = estimation::linearity(solved(z, nodal, summary), last_->kept, task_.goals.has_value());
+    const auto found = estimation::buckling(solved(z, nodal, summary), last_->kept);
     seconds.estimates += watch.lap();
     return found;
   }
@@ -237,14 +236,14 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   std::optional<estimation::Estimates> estimates;
   std::vector<double> values;
   if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal, verdict.summary);
-  estimation::Linearity linearity;
+  std::optional<double> buckling;
   if (z.status == contact::Status::solved) {
     values = run.values(z, nodal, verdict.summary);
-    linearity = run.linearity(z, nodal, verdict.summary);
+    if (task.goals) buckling = run.buckling(z, nodal, verdict.summary);
   }
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);
-  record.linearity = linearity;
+  record.buckling = buckling;
   record.iterations = static_cast<int>(run.history.size());
   record.history = std::move(run.history);
   record.factorisations = run.factorisations;

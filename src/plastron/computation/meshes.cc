@@ -110,7 +110,17 @@ bool Meshes::solve_next(int number) {
   if (run_.observer.solution) run_.observer.solution(number, level.solution);
   result.levels.push_back(level.record);
   run_.take(std::move(level));
+  if (is_fine_enough_to_compare(number)) run_.check_model();
   return !is_final(result.status);
+}
+
+bool Meshes::is_fine_enough_to_compare(int number) const {
+  // The ratio of the two models hardly changes on finer meshes, where a comparison is expensive.
+  constexpr std::int64_t fine = 10'000;  // unknowns
+  const problem::Problem& p = run_.problem;
+  const bool is_last_but_one = !p.accuracy && number + 1 == p.discretisation.refinements;
+  return p.steps.empty() && p.model.steps == 1 && !run_.result.model &&
+         (is_last_but_one || run_.result.levels.back().unknowns > fine);
 }
 
 std::vector<algebra::Vector> Meshes::fields_to_transfer() const {

@@ -38,6 +38,8 @@ class Meshes {
   bool solve_for_goals();
   /// Solves the present instant on the next mesh. First guess and state come from the previous mesh.
   bool solve_next(int number);
+  /// Whether the models are compared on the mesh that was just solved, and not on a finer one.
+  bool is_fine_enough_to_compare(int number) const;
   void refine(LevelTask& task, assembly::State& start);
   /// Computes the goals at the last instant on another surface of the same cells. Their differences are the errors by
   /// the mesh of the mid-surface.

@@ -27,13 +27,6 @@ void for_rows(const assembly::DiscreteShell& discrete, const solution::NodalSolu
   }
 }
 
-double largest_displacement(const algebra::Vector& y) {
-  double largest = 0;
-  for (std::size_t i = 0; i + 2 < y.owned().size(); i += 6)
-    largest = std::max(largest, std::hypot(y.owned()[i], y.owned()[i + 1], y.owned()[i + 2]));
-  return algebra::max_over_ranks(largest, y.layout()->comm);
-}
-
 /// Returns the largest distance of the faces in contact from their positions in the state, relative to their obstacles.
 double distance_from_state(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   double farthest = 0;
@@ -84,7 +77,7 @@ Nearness nearness(const problem::Linearisation& settings, const assembly::Discre
                   const solution::NodalSolution& solution) {
   return {.distance = distance_from_state(discrete, solution),
           .depth = gap_error(discrete, solution).depth,
-          .negligible = settings.tolerance * largest_displacement(solution.y)};
+          .negligible = settings.tolerance * solution::largest_displacement(solution.y)};
 }
 
 Relinearisation::Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete)

@@ -8,6 +8,8 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -44,20 +46,21 @@ struct Level {
   std::int64_t active = 0;  ///< nodes in contact
   int iterations = 0;       ///< active-set iterations
   int factorisations = 0;
-  int linearisations = 1;             ///< number of linearisations of the gaps
-  double gap_error = 0;               ///< largest |distance - linearised gap| of the deformed faces in contact [m]
-  double energy = 0;                  ///< 1/2 a(U, U) [J]
-  int lift_rounds = 0;                ///< number of times that bounds of gaps were lifted
-  double energy_before_lifts = 0;     ///< energy of the solution with bounds at 0; `energy` where none was lifted [J]
-  double reaction = 0;                ///< norm of the obstacle's resultant force [N]
-  double contact_area = 0;            ///< [m^2]
-  double max_normal_rotation = 0;     ///< max |r . a_3|
-  double multiplier_norm = 0;         ///< norm of lambda [N m]
-  double min_gap = 0;                 ///< at nodes [m]
-  double linear_residual = 0;         ///< relative residual of the last linear solve
-  contact::Tolerances tolerances{};   ///< tolerances of bounds and signs
-  double max_rotation = 0;            ///< max |r| [rad]
-  estimation::Linearity linearity{};  ///< linearity of a solution that was found
+  int linearisations = 1;            ///< number of linearisations of the gaps
+  double gap_error = 0;              ///< largest |distance - linearised gap| of the deformed faces in contact [m]
+  double energy = 0;                 ///< 1/2 a(U, U) [J]
+  int lift_rounds = 0;               ///< number of times that bounds of gaps were lifted
+  double energy_before_lifts = 0;    ///< energy of the solution with bounds at 0; `energy` where none was lifted [J]
+  double reaction = 0;               ///< norm of the obstacle's resultant force [N]
+  double contact_area = 0;           ///< [m^2]
+  double max_normal_rotation = 0;    ///< max |r . a_3|
+  double multiplier_norm = 0;        ///< norm of lambda [N m]
+  double min_gap = 0;                ///< at nodes [m]
+  double linear_residual = 0;        ///< relative residual of the last linear solve
+  contact::Tolerances tolerances{};  ///< tolerances of bounds and signs
+  double max_rotation = 0;           ///< max |r| [rad]
+  /// Membrane forces over those under which a perfect shell buckles (estimation::buckling()), where it was computed.
+  std::optional<double> buckling{};
   std::vector<estimation::GoalRecord> goals{};  ///< empty if no accuracy is requested
   std::vector<contact::Iteration> history{};
   Seconds seconds{};
@@ -69,6 +72,21 @@ struct ProbeValue {
   recovery::PointValues values;
 };
 
+/// A motion about the last solution, with contact held (finite/modes.hpp).
+struct Mode {
+  enum class Kind { buckling, vibration };
+  Kind kind = Kind::buckling;
+  int number = 1;
+  /// Factor of loads and contact forces at which the shell buckles, or the square of the angular frequency [1/s^2].
+  double value = 0;
+  algebra::Vector shape{};  ///< (u, r); the largest |u| is 1
+
+  /// Returns the frequency [Hz]; NaN for a motion that grows.
+  double frequency() const;
+  /// Returns "buckling_1", "vibration_2" and so on.
+  std::string name() const;
+};
+
 /// The finest solution, kept for output and further work.
 struct Solution {
   std::unique_ptr<assembly::DiscreteShell> discrete;
@@ -76,6 +94,7 @@ struct Solution {
   recovery::Choice recovery{};  ///< choice of the fields; see choose_recovery()
   /// Estimated squared error in the energy norm of each owned cell [J]; empty if not requested.
   std::vector<double> cell_errors{};
+  std::vector<Mode> modes{};                    ///< modes that the case asks for, with shapes
   std::vector<certificate::CellGap> entered{};  ///< this rank's cells with a gap below 0 in some place
 };
 
@@ -90,6 +109,42 @@ struct HistoryEntry {
   solution::Summary summary;
   std::vector<ProbeValue> probes{};
 };
+
+/// A number of the linear solution beside the same number of the model with finite rotations.
+struct ModelQuantity {
+  std::string name{}, unit{};
+  double linear = 0, finite = 0;
+  double least = 0;       ///< numbers below this are rounding, or too small to matter
+  bool is_judged = true;  ///< whether it counts for ModelCheck::largest()
+  /// Error of the linear model, relative to the other.
+  double difference() const {
+    const double absolute = std::abs(linear - finite), scale = std::max(std::abs(finite), least);
+    return absolute == 0 ? 0 : absolute / scale;
+  }
+};
+
+/// What the linear model costs (model_check.hpp).
+struct ModelCheck {
+  contact::Status status = contact::Status::solved;  ///< status of the step; without quantities if it is not solved
+  /// Whether every motion has a positive stiffness. If not, the shell buckles or snaps through near this solution.
+  bool is_stable = true;
+  double time = 0;            ///< time of the solution, if there are steps
+  int steps = 0;              ///< number of Newton steps
+  bool is_converged = false;  ///< whether a further step changes nothing: the quantities are those of the other model
+  int factorisations = 0;
+  double seconds = 0;
+  std::vector<ModelQuantity> quantities{};
+
+  double largest() const {
+    double most = 0;
+    for (const ModelQuantity& quantity : quantities)
+      if (quantity.is_judged && quantity.difference() > most) most = quantity.difference();
+    return most;
+  }
+};
+
+/// Returns "solved", "unstable", "no_solution", or "unknown" where the contact problem of a step was not solved.
+std::string word_of(const ModelCheck& check);
 
 struct Result {
   contact::Status status = contact::Status::solved;
@@ -112,6 +167,8 @@ struct Result {
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
   /// Estimates of the last solution's errors; empty if there is no solution or if not requested.
   std::optional<estimation::Estimates> estimates{};
+  std::vector<Mode> modes{};          ///< those of the solution, without shapes
+  std::optional<ModelCheck> model{};  ///< the worst of all that were made; empty if there is none
 
   /// Data of the last solution: on the finest mesh, at the last instant.
   const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }

@@ -1,7 +1,10 @@
 #include <plastron/computation/run.hpp>
 
 #include <plastron/computation/evaluation.hpp>
+#include <plastron/computation/model_check.hpp>
 #include <plastron/computation/warnings.hpp>
+#include <plastron/finite/modes.hpp>
+#include <plastron/obstacle/error.hpp>
 #include <plastron/problem/goal_names.hpp>
 
 #include <fmt/format.h>
@@ -96,8 +99,61 @@ void Run::take(LevelResult level) {
   result.estimates = std::move(level.estimates);
 }
 
+void Run::check_model(double time) {
+  if (!problem.model.check) return;
+  if (result.status != contact::Status::solved && result.status != contact::Status::inaccurate) return;
+  Stopwatch watch;
+  ModelCheck check{.status = contact::Status::infeasible};
+  try {
+    check = computation::check_model(solution(), result.summary, problem.model,
+                                     task_after_first_level(last_level()).settings, observer);
+  } catch (const assembly::SupportError&) {  // the deformed shell has no box: the check ends without a solution
+  } catch (const obstacle::ObstacleError&) {
+  }
+  check.seconds = watch.lap();
+  check.time = time;
+  checked_displacement_ = result.summary.max_relative_displacement;
+  const auto badness = [](const ModelCheck& c) {
+    return std::pair(c.status == contact::Status::solved ? (c.is_stable ? 0 : 1) : 2, c.largest());
+  };
+  if (!result.model || badness(check) >= badness(*result.model)) result.model = std::move(check);
+}
+
+bool Run::has_checked_model() {
+  if (!result.model) return false;
+  if (carry_to_finer_mesh(result.summary, *result.model)) return true;
+  result.model.reset();
+  return false;
+}
+
+void Run::find_modes() {
+  if (result.status != contact::Status::solved && result.status != contact::Status::inaccurate) return;
+  const auto find = [&](Mode::Kind kind, int count, const auto& modes_of) {
+    if (count == 0) return;
+    finite::Modes found = modes_of(*solution().discrete, solution().nodal, count);
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+      const Mode mode{.kind = kind, .number = static_cast<int>(i) + 1, .value = found.values[i]};
+      result.modes.push_back(mode);
+      solution().modes.push_back(mode);
+      solution().modes.back().shape = std::move(found.shapes[i]);
+    }
+    if (!found.has_solution)
+      warn({fmt::format("no {} could be found: some motion has no stiffness, or the iteration did not converge",
+                        kind == Mode::Kind::buckling ? "buckling load" : "natural frequency")});
+  };
+  find(Mode::Kind::buckling, problem.modes.buckling, finite::buckling_modes);
+  find(Mode::Kind::vibration, problem.modes.vibration, finite::vibration_modes);
+}
+
+bool Run::wants_model_check(const problem::Instant& instant) const {
+  constexpr double notable = 0.1, growth = 2;  // thicknesses; since the last check
+  const double moved = result.summary.max_relative_displacement;
+  return &instant == &instants.back() || moved > std::max(notable, growth * checked_displacement_);
+}
+
 void Run::record(const problem::Instant& instant) {
   judge_certificate(result);
+  if (wants_model_check(instant)) check_model(instant.time);
   recover();
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
                             .time = instant.time,
@@ -136,6 +192,7 @@ Result Run::finish() {
     warn(point_support_warnings(result, problem.shell.supports));
     if (result.history.empty()) recover();
     find_stress_peak(result);
+    find_modes();
     warn(strain_warnings(result));
   }
   adopt_worst_status();

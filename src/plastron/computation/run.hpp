@@ -75,6 +75,10 @@ class Run {
 
   /// Takes a level as the solution at hand.
   void take(LevelResult level);
+  /// Compares the solution at hand with the model of finite rotations, unless the case leaves that out (collective).
+  void check_model(double time = 0);
+  /// Whether the comparison was made on a coarser mesh; its numbers are then carried to this one.
+  bool has_checked_model();
   /// Adds the solution at hand to the history.
   void record(const problem::Instant& instant);
   /// Adds new warnings to the result and passes them to the observer.
@@ -84,11 +88,16 @@ class Run {
 
  private:
   void recover();
+  /// Computes the modes about the last solution (collective).
+  void find_modes();
+  /// Whether the solution at an instant is compared: the last one, and others that have moved much farther.
+  bool wants_model_check(const problem::Instant& instant) const;
   /// Sets the worst status, so that a solved end does not hide a missed limit of an earlier instant.
   void adopt_worst_status();
 
   const Observer& asked_;
   Level latest_{};
+  double checked_displacement_ = 0;  ///< largest |u| / e of the last solution that was compared
 };
 
 }  // namespace plastron::computation

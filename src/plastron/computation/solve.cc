@@ -87,6 +87,7 @@ Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& obs
         run.has_time_for(next) && approach(run, before, next) && advance(run, meshes, next, run.continued_at(next));
   }
   if (goes_on) meshes.judge_geometry();
+  if (goes_on && problem.steps.empty() && !run.has_checked_model()) run.check_model();
   return run.finish();
 }
 

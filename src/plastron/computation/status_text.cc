@@ -4,7 +4,31 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace plastron::computation {
+
+double Mode::frequency() const { return std::sqrt(value) / (2 * std::numbers::pi); }
+
+std::string Mode::name() const {
+  return fmt::format("{}_{}", kind == Kind::buckling ? "buckling" : "vibration", number);
+}
+
+std::string word_of(const ModelCheck& check) {
+  using contact::Status;
+  switch (check.status) {
+    case Status::solved:
+      return check.is_stable ? "solved" : "unstable";
+    case Status::singular:
+    case Status::not_held:
+    case Status::not_carried:
+    case Status::infeasible:
+      return "no_solution";
+    default:
+      return "unknown";
+  }
+}
 
 std::string status_text(const Result& result) {
   std::string text(contact::explain(result.status));

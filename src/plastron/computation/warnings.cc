@@ -8,15 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace plastron::computation {
 
 namespace {
 
-/// Part of the stored energy that linear strains may omit without a warning.
-constexpr double notable_left_out = 0.05;
+/// Error of the linear model that causes a warning.
+constexpr double notable_model_error = 0.05;
 /// Ratio of membrane forces to the buckling forces. Above this value, thin shells with imperfections buckle.
 constexpr double near_buckling = 0.5;
 /// Strain above which measures of strain differ by more than 1 %; metals yield at a tenth of it.
@@ -28,17 +27,34 @@ constexpr double notable_loosening = 1e3;
 /// Relative error by the mesh of the mid-surface that causes a warning where no accuracy is requested.
 constexpr double notable_geometry_error = 0.01;
 
-std::string linear_model_text(const HistoryEntry& instant) {
-  const solution::Summary& s = instant.summary;
-  const LeftOut part = left_out(s, instant.level);
+std::string instant_text(const Result& result) {
+  return result.history.empty() ? "" : fmt::format("at time {:g}, ", result.model->time);
+}
+
+std::string linear_model_text(const Result& result) {
+  std::vector<std::string> numbers;
+  for (const ModelQuantity& q : result.model->quantities)
+    if (q.difference() > notable_model_error)
+      numbers.push_back(fmt::format("{} {:.3g} {} and not {:.3g} {}", q.name, q.finite, q.unit, q.linear, q.unit));
+  const solution::Summary& s = result.summary;
   return fmt::format(
-      "{}the linear model is left: what it leaves out is {} of the stored energy (membrane forces on turned parts {}, "
-      "stretch by rotations {}, turned lengths {}) at displacements of up to {:.3g} m or {:.3g} thicknesses and "
-      "rotations of up to {:.3g} rad; energy, displacements and forces may be wrong by that and more; use a smaller "
-      "load, a thicker shell or a program for finite rotations",
-      instant.step.empty() ? "" : fmt::format("at time {:g}, ", instant.time), percent(part.largest()),
-      percent(part.work), percent(part.remaining_stretch.value_or(part.stretch)), percent(part.rotation),
-      s.max_displacement, s.max_relative_displacement, s.max_rotation);
+      "{}the linear model is left: the model of finite rotations has{} {}; displacements are up to {:.3g} m or "
+      "{:.3g} thicknesses, rotations up to {:.3g} rad; use a smaller load, a thicker shell or a program for finite "
+      "rotations",
+      instant_text(result), result.model->is_converged ? "" : ", nearly,", fmt::join(numbers, ", "), s.max_displacement,
+      s.max_relative_displacement, s.max_rotation);
+}
+
+std::string unstable_text(const Result& result) {
+  const solution::Summary& s = result.summary;
+  return fmt::format(
+      "{}the linear model is left: with finite rotations the shell {}; it buckles or snaps through before; "
+      "displacements "
+      "are up to {:.3g} m or {:.3g} thicknesses; use a smaller load, a thicker shell or a program for finite rotations",
+      instant_text(result),
+      result.model->status == contact::Status::solved ? "is not stable near this solution"
+                                                      : "has no equilibrium near this solution",
+      s.max_displacement, s.max_relative_displacement);
 }
 
 std::string buckling_text(double buckling) {
@@ -156,26 +172,24 @@ std::string percent(double part) {
 }
 
 std::vector<std::string> linear_model_warnings(const Result& result) {
-  const HistoryEntry end{.step = "", .level = result.last_level(), .summary = result.summary};
-  const std::span<const HistoryEntry> instants =
-      result.history.empty() ? std::span(&end, 1) : std::span<const HistoryEntry>(result.history);
-  const HistoryEntry* worst = nullptr;
-  double most = notable_left_out, buckling = 0;
-  for (const HistoryEntry& instant : instants) {
-    if (instant.level.status != contact::Status::solved) continue;  // a result that is no solution is not judged
-    const double part = left_out(instant.summary, instant.level).largest();
-    if (part > most) worst = &instant;
-    most = std::max(most, part);
-    buckling = std::max(buckling, instant.level.linearity.buckling.value_or(0));
-  }
+  double buckling = result.levels.empty() ? 0 : result.last_level().buckling.value_or(0);
+  for (const HistoryEntry& instant : result.history)
+    if (instant.level.status == contact::Status::solved)
+      buckling = std::max(buckling, instant.level.buckling.value_or(0));
   std::vector<std::string> warnings;
-  if (worst != nullptr) warnings.push_back(linear_model_text(*worst));
+  if (result.model) {
+    const std::string word = word_of(*result.model);
+    if (word == "unstable" || word == "no_solution")
+      warnings.push_back(unstable_text(result));
+    else if (result.model->largest() > notable_model_error)
+      warnings.push_back(linear_model_text(result));
+  }
   if (buckling > near_buckling) warnings.push_back(buckling_text(buckling));
   return warnings;
 }
 
 std::vector<std::string> strain_warnings(const Result& result) {
-  const double strain = result.summary.second_order.largest_strain;
+  const double strain = result.summary.max_strain;
   if (!(strain > largest_strain)) return {};
   const Eigen::Vector3d& at = result.peak.position;
   const std::string stress = result.peak.von_mises > 0

@@ -6,46 +6,20 @@
 #include <plastron/contact/settings.hpp>
 #include <plastron/problem/problem.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace plastron::computation {
 
-/// Energies that the linear model omits, as parts of the stored energy of a solution (docs/theory.md, "What linearity
-/// leaves out").
-struct LeftOut {
-  double work = 0;                            ///< |int N^{ab} q_ab dS|, q_ab = 1/2 d_a u . d_b u
-  double stretch = 0;                         ///< 1/2 int e a^{abrs} q_ab q_rs dS
-  std::optional<double> remaining_stretch{};  ///< the part of it that no further displacement removes
-  double rotation = 0;  ///< half the square of the largest rotation: the relative change of lengths
-
-  /// Returns the largest doubtful part of the energy. Without remaining_stretch, the whole stretch is used.
-  double largest() const { return std::max({work, remaining_stretch.value_or(stretch), rotation}); }
-};
-
-inline LeftOut left_out(const solution::Summary& summary, const Level& level) {
-  LeftOut part{.work = std::abs(summary.over_stored(summary.second_order.work)),
-               .stretch = summary.over_stored(summary.second_order.stretch),
-               .rotation = summary.max_rotation * summary.max_rotation / 2};
-  if (summary.is_unstrained)
-    part.remaining_stretch = 0;  // a rigid motion: the exact rotation removes all of it
-  else if (level.linearity.remaining_stretch)
-    part.remaining_stretch = std::abs(summary.over_stored(*level.linearity.remaining_stretch));
-  return part;
-}
-
 /// Returns one warning, in words for the user, if the finest mesh of a problem is so coarse that its elements lock.
 /// Empty with tying. Each rank checks the whole problem. Precondition: a regular chart and a positive thickness.
 std::vector<std::string> locking_warnings(const problem::Problem& problem);
 
-/// Warns where the linear model omits a notable part of the energy, at the worst instant, or where the shell would
-/// buckle. Precondition: a level was solved.
+/// Warns where the model of finite rotations has other numbers or no stable solution nearby, or where the shell would
+/// buckle.
 std::vector<std::string> linear_model_warnings(const Result& result);
 
-/// Returns a part of an energy as per cent, as long as this is meaningful: rigid motions have almost no energy.
+/// Returns a part as per cent, as long as this is meaningful.
 std::string percent(double part);
 
 /// Warns of strains beyond the range of the linear material law; needs the stress peak.

@@ -65,6 +65,8 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_lines(root, result.problem);
   read_accuracy(root, result.problem);
   read_contact(root, result.problem);
+  read_model(root, result.problem);
+  read_modes(root, result.problem);
   read_solver(root, result.problem);
   read_units(root, result.problem);
   result.wants_report = read_output(root, result.problem);

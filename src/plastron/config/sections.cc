@@ -41,6 +41,8 @@ std::vector<Section> file_sections() {
             table("output", "form of the results"),
             table("units", "names of the units"),
             table("contact", "the contact solver"),
+            table("model", "comparison with finite rotations"),
+            table("modes", "buckling loads and natural frequencies"),
             table("solver", "iteration limits and tolerances")}}};
 }
 

@@ -90,9 +90,12 @@ std::vector<Section> output_sections();
 bool read_output(Table& root, problem::Problem& problem);
 void read_units(Table& root, problem::Problem& problem);
 
-/// Returns [contact] and [solver].
+/// Returns [contact], [model], [modes] and [solver].
 std::vector<Section> solver_sections();
 void read_contact(Table& root, problem::Problem& problem);
+void read_model(Table& root, problem::Problem& problem);
+/// Reads the modes. Call it after all densities.
+void read_modes(Table& root, problem::Problem& problem);
 void read_solver(Table& root, problem::Problem& problem);
 
 /// Returns the names of a key. They must be boundaries of the domain if its names are known.

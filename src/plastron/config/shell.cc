@@ -27,7 +27,7 @@ Section shell_section() {
            key("thickness", &CrossSection::thickness,
                {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
            key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
-               "mass per volume, for the weight of the shell, see [gravity]"),
+               "mass per volume, for the weight of the shell, see [gravity], and for natural frequencies, see [modes]"),
            key("shear_correction", &Material::shear_correction, {.fallback = "1", .range = Range::positive(2)},
                "factor of the transverse shear energy: 1 as in the paper, or 5/6"),
            key("formulation", &Tangency::formulation,
@@ -183,14 +183,8 @@ void read_regions(Table& root, problem::Problem& problem) {
 }
 
 void read_gravity(Table& root, problem::Problem& problem) {
-  const auto density = density_place(root);
-  if (!root.has("gravity")) {
-    if (density)
-      root.reading().report(*density, "a density is given, but nothing pulls at it", "",
-                            "add a section [gravity] with acceleration = [0, 0, -9.81]");
-    return;
-  }
-  if (!density)
+  if (!root.has("gravity")) return;
+  if (!density_place(root))
     root.report_key("gravity", "[gravity] has nothing to pull at: no density is given", "",
                     "add density = 7850 to [shell] or to a [[region]]");
   root.in_table("gravity", [&](Table& gravity) { gravity.fill(problem.shell.loads); });

@@ -1,4 +1,4 @@
-// Reads [contact] and [solver].
+// Reads [contact], [model], [modes] and [solver].
 #include <plastron/config/sections.hpp>
 
 namespace plastron::config {
@@ -19,6 +19,34 @@ Section contact_section() {
                "solved again until this holds")}};
 }
 
+Section model_section() {
+  return {
+      "model",
+      "[model]",
+      "Validity of the linear model.",
+      {key("check", &problem::ModelSettings::check, {.fallback = "true"},
+           "false: do not compare the solution with the model of finite rotations"),
+       key("steps", &problem::ModelSettings::steps, {.fallback = "1", .range = Range::between(1, 50)},
+           "largest number of Newton steps towards that model. One gives its energy and reactions to some per cent, at "
+           "the cost of about one contact problem on the last mesh. Four to eight steps give them exactly, unless the "
+           "shell snaps through on the way")}};
+}
+
+Section modes_section() {
+  const Range counts = Range::between(0, 200);
+  return {
+      "modes",
+      "[modes]",
+      "Buckling loads and natural frequencies about the solution (the last one, with steps), with the touching nodes "
+      "held on their obstacles. Shapes are fields of solution.vtu. The command plastron modes asks for six of both.",
+      {key("buckling", &problem::Modes::buckling, {.fallback = "0", .range = counts},
+           "number of factors of the loads, prescribed displacements and contact forces, all together, at which the "
+           "shell buckles; the smallest positive ones"),
+       key("vibration", &problem::Modes::vibration, {.fallback = "0", .range = counts},
+           "number of natural frequencies, the lowest ones; they need a density. The stresses of the solution change "
+           "them")}};
+}
+
 Section solver_section() {
   const Range tolerance = Range::positive(0.01);
   return {"solver",
@@ -36,12 +64,27 @@ Section solver_section() {
 
 }  // namespace
 
-std::vector<Section> solver_sections() { return {contact_section(), solver_section()}; }
+std::vector<Section> solver_sections() {
+  return {contact_section(), model_section(), modes_section(), solver_section()};
+}
 
 void read_contact(Table& root, problem::Problem& problem) {
   root.in_table("contact", [&](Table& contact) {
     contact.fill(problem.shell.obstacles);
     contact.fill(problem);
+  });
+}
+
+void read_model(Table& root, problem::Problem& problem) {
+  root.in_table("model", [&](Table& model) { model.fill(problem.model); });
+}
+
+void read_modes(Table& root, problem::Problem& problem) {
+  root.in_table("modes", [&](Table& modes) {
+    modes.fill(problem.modes);
+    if (problem.modes.vibration > 0 && !problem.shell.sections.has_mass())
+      modes.report("vibration", "natural frequencies need a density, and the shell has none", "0 without a density",
+                   "add density = 7850 to [shell]");
   });
 }
 

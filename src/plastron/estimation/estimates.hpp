@@ -74,13 +74,4 @@ struct Estimates {
   std::int64_t unjudged_cells = 0;  ///< sum over all ranks
 };
 
-/// Difference between a solution of the linear model and finite displacements (estimate.hpp).
-struct Linearity {
-  /// Rest of assembly::SecondOrder::stretch after the best further displacement [J].
-  std::optional<double> remaining_stretch{};
-  /// Largest mu with -K_N v = mu A v, K_N the geometric stiffness of N^{ab}, with fixed contact. The shell buckles at
-  /// 1.
-  std::optional<double> buckling{};
-};
-
 }  // namespace plastron::estimation

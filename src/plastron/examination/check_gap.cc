@@ -52,7 +52,7 @@ void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obsta
   const std::string which = obstacle_text(examined.problem, obstacle);
   const auto initial = [](const obstacle::Gap& gap) { return gap.initial; };
   const auto [least, most] = std::ranges::minmax_element(gaps, {}, initial);
-  const double rounding = 1e-12 * (examined.size + std::abs(least->initial));
+  const double rounding = 1e-9 * (examined.size + std::abs(least->initial));
   const char* question =
       most->initial < -rounding
           ? "; the whole shell lies inside of it: is a normal reversed, the obstacle's or the chart's?"

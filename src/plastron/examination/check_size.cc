@@ -14,6 +14,15 @@ void check_locking(Examined& examined) {
     examined.add(Severity::warning, "{}", warning);
 }
 
+void check_weight(Examined& examined) {
+  const problem::Problem& p = examined.problem;
+  if (p.shell.sections.has_mass() && p.shell.loads.gravity.isZero(0) && p.modes.vibration == 0)
+    examined.add(
+        Severity::warning,
+        "a density is given, but nothing pulls at it: the shell has no weight; for its weight add [gravity] with "
+        "acceleration = [0, 0, -9.81], for natural frequencies ask plastron modes");
+}
+
 double rounding_residual(const problem::Problem& problem) {
   // Membrane strains of a bending are differences of displacements. Rounding eps w over the distance h of nodes has the
   // energy e (eps w / h)^2. It acts against the bending energy e^3 (w / L^2)^2. The factor gives an order of magnitude:

@@ -91,6 +91,8 @@ void check_seams(Examined& examined);
 void check_finite(Examined& examined);
 /// Checks that chart and thickness are smooth inside each cell; names loads that are not.
 void check_inside_cells(Examined& examined);
+/// Warns of a density without use.
+void check_weight(Examined& examined);
 /// Checks that elements do not lock.
 void check_locking(Examined& examined);
 /// Checks that double precision is sufficient for such a thin shell on the finest mesh.

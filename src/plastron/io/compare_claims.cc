@@ -21,8 +21,14 @@ constexpr std::array not_recomputed{"stress/error",
                                     "contact/admissible/rounds",
                                     "contact/admissible/energy_before",
                                     "contact/admissible/energy_change",
-                                    "linearity/left_out",
-                                    "linearity/remaining_stretch",
+                                    "linearity/status",
+                                    "linearity/steps",
+                                    "linearity/is_converged",
+                                    "linearity/time",
+                                    "linearity/difference",
+                                    "linearity/factorisations",
+                                    "linearity/seconds",
+                                    "linearity/quantities",
                                     "linearity/buckling"};
 /// Parts of the last of its levels that follow from the solution.
 constexpr std::array recomputed_of_level{
@@ -32,7 +38,7 @@ constexpr std::array recomputed_of_level{
 /// Parts of the last level where there are steps: its solution belongs to the first instant.
 constexpr std::array recomputed_of_mesh{"cells", "nodes", "unknowns"};
 /// Entries of a history record that describe how its solution was found.
-constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations", "left_out"};
+constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations"};
 
 /// Directions have no error bound: where both principal values are nearly equal, rounding rotates them.
 bool is_direction(const std::string& pattern) { return pattern.ends_with("_direction"); }

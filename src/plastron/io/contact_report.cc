@@ -103,10 +103,11 @@ std::string contact_boundary_vtu(const solution::Summary& summary) {
       points, lines, point_arrays(summary), line_arrays(summary));
 }
 
-std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces) {
+std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces, bool has_parameters) {
   std::string text = "obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area\n";
   for (const solution::ContactForce& f : forces) {
-    text += fmt::format("{},{:.15g},{:.15g}", f.obstacle, f.x[0], f.x[1]);
+    text += has_parameters ? fmt::format("{},{:.15g},{:.15g}", f.obstacle, f.x[0], f.x[1])
+                           : fmt::format("{},,", f.obstacle);
     for (const Eigen::Vector3d& v : {f.place, f.displacement, f.force})
       text += fmt::format(",{:.15g},{:.15g},{:.15g}", v[0], v[1], v[2]);
     text += fmt::format(",{:.15g},{:.15g}\n", f.pressure, f.area);
@@ -120,7 +121,7 @@ std::vector<std::string> add_contact_report(const solution::Summary& summary, co
   files.add_text(directory / file_names[0], [&] { return contact_boundary_csv(summary); });
   files.add_text(directory / file_names[1], [&] { return contact_boundary_vtu(summary); });
   const auto forces = solution::contact_forces(*solution.discrete, solution.nodal);
-  files.add_text(directory / file_names[2], [&] { return contact_forces_csv(forces); });
+  files.add_text(directory / file_names[2], [&] { return contact_forces_csv(forces, !summary.is_in_space); });
   return {file_names.begin(), file_names.end()};
 }
 

@@ -21,7 +21,7 @@ std::string contact_boundary_vtu(const solution::Summary& summary);
 
 /// Returns one row for each touching node: obstacle,x,y,X,Y,Z,u_X,u_Y,u_Z,F_X,F_Y,F_Z,eta,area as in
 /// certificate::ContactForce. The sums of F are the reactions of the obstacles.
-std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces);
+std::string contact_forces_csv(const std::vector<solution::ContactForce>& forces, bool has_parameters);
 
 /// Adds the three files if there is any contact; returns their names (collective). Throws std::runtime_error.
 std::vector<std::string> add_contact_report(const solution::Summary& summary, const computation::Solution& solution,

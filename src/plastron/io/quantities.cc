@@ -16,10 +16,6 @@ Json pair(const Eigen::Vector2d& v) { return Json::array({number(v[0]), number(v
 
 Json known(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
-computation::LeftOut left_out_of(const Result& r) {
-  return computation::left_out(r.summary, r.levels.empty() ? computation::Level{} : r.last_level());
-}
-
 /// Returns the depth of the shell in the obstacle between nodes; 0 if no cell is near it. Keeps a NaN.
 double penetration(double min_gap_between) { return std::max(-min_gap_between, 0.0); }
 
@@ -63,29 +59,38 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
       {"size/max_rotation", "rad", "largest |r| at a node; the linear model requires a small value",
        [](const Result& r) { return number(r.summary.max_rotation); }},
-      {"linearity/left_out", "1",
-       "energy that the linear model leaves out, over the stored energy: the largest of work, remaining_stretch and "
-       "half the square of the largest rotation; a warning from 0.05 on",
-       [](const Result& r) { return number(left_out_of(r).largest()); }},
-      {"linearity/work", "1",
-       "work of membrane forces on turned parts, |int N^{ab} q_ab dS| with q_ab = 1/2 d_a u . d_b u, over the stored "
-       "energy",
-       [](const Result& r) { return number(left_out_of(r).work); }},
-      {"linearity/stretch", "1",
-       "energy of the stretch by rotations, 1/2 int e a^{abrs} q_ab q_rs dS, over the stored energy; large for every "
-       "thin shell that bends freely",
-       [](const Result& r) { return number(left_out_of(r).stretch); }},
-      {"linearity/remaining_stretch", "1",
-       "part of stretch that no further displacement of the shell removes; null if not known",
-       [](const Result& r) { return known(left_out_of(r).remaining_stretch); }},
+      {"linearity/status", "-",
+       "comparison with the model of finite rotations: solved; unstable, if the shell buckles or snaps through near "
+       "this "
+       "solution; no_solution; unknown, if the contact problem of a step was not solved; not_made",
+       [](const Result& r) { return Json(r.model ? computation::word_of(*r.model) : "not_made"); }, Form::text},
+      {"linearity/steps", "1", "Newton steps towards finite rotations",
+       [](const Result& r) { return Json(r.model ? r.model->steps : 0); }, Form::integer},
+      {"linearity/is_converged", "-",
+       "true if a further step would change nothing: the finite values are then those of the model, else right to some "
+       "per cent",
+       [](const Result& r) { return Json(r.model && r.model->is_converged); }, Form::flag},
+      {"linearity/time", "1", "time of the solution of the comparison; null without steps",
+       [](const Result& r) { return r.model && !r.history.empty() ? number(r.model->time) : Json(nullptr); }},
+      {"linearity/difference", "1",
+       "largest relative error of linear numbers in linearity/quantities, without the contact area; a warning from "
+       "0.05 "
+       "on",
+       [](const Result& r) {
+         return r.model && r.model->status == contact::Status::solved ? number(r.model->largest()) : Json(nullptr);
+       }},
+      {"linearity/factorisations", "1", "numeric factorisations of the comparison",
+       [](const Result& r) { return Json(r.model ? r.model->factorisations : 0); }, Form::integer},
+      {"linearity/seconds", "s", "time of the comparison",
+       [](const Result& r) { return r.model ? number(r.model->seconds) : Json(nullptr); }},
       {"linearity/buckling", "1",
        "membrane forces over the forces under which a perfect shell with the same contact buckles; a warning from 0.5 "
        "on; null if not known",
-       [](const Result& r) { return r.levels.empty() ? Json(nullptr) : known(r.last_level().linearity.buckling); }},
+       [](const Result& r) { return r.levels.empty() ? Json(nullptr) : known(r.last_level().buckling); }},
       {"linearity/max_strain", "1",
        "largest absolute value of a principal strain at the faces; a warning from 0.02 on; most metals yield at 0.001 "
        "to 0.005",
-       [](const Result& r) { return number(r.summary.second_order.largest_strain); }},
+       [](const Result& r) { return number(r.summary.max_strain); }},
       {"stress/max_von_mises", "Pa", "largest von Mises stress at points of output, away from singular_places",
        [](const Result& r) { return number(r.peak.von_mises); }},
       {"stress/error", "Pa",
@@ -107,6 +112,37 @@ std::span<const Quantity<Result>> result_quantities() {
       {"memory/peak_bytes", "byte", "peak memory of all ranks together",
        [](const Result& r) { return Json(std::llround(r.peak_memory)); }, Form::integer},
       {"ranks", "1", "number of MPI processes", [](const Result& r) { return Json(r.ranks); }, Form::integer},
+  };
+  return all;
+}
+
+std::span<const Quantity<computation::ModelQuantity>> model_quantities() {
+  using computation::ModelQuantity;
+  static const std::vector<Quantity<ModelQuantity>> all{
+      {"name", "-", "name of the number", [](const ModelQuantity& q) { return Json(q.name); }, Form::text},
+      {"unit", "-", "unit of the number", [](const ModelQuantity& q) { return Json(q.unit); }, Form::text},
+      {"linear", "see unit", "its value in the linear model", [](const ModelQuantity& q) { return number(q.linear); }},
+      {"finite", "see unit", "its value in the model of finite rotations, after linearity.steps",
+       [](const ModelQuantity& q) { return number(q.finite); }},
+      {"difference", "1", "relative error of the linear value",
+       [](const ModelQuantity& q) { return number(q.difference()); }},
+  };
+  return all;
+}
+
+std::span<const Quantity<computation::Mode>> mode_quantities() {
+  using computation::Mode;
+  static const std::vector<Quantity<Mode>> all{
+      {"name", "-", "name of its field in solution.vtu: buckling_1, vibration_1, ...",
+       [](const Mode& m) { return Json(m.name()); }, Form::text},
+      {"load_factor", "1",
+       "factor of loads, prescribed displacements and contact forces at which the shell buckles; null for vibrations",
+       [](const Mode& m) { return m.kind == Mode::Kind::buckling ? number(m.value) : Json(nullptr); }},
+      {"frequency", "Hz", "natural frequency; null for buckling, and for a motion that grows",
+       [](const Mode& m) { return m.kind == Mode::Kind::vibration ? number(m.frequency()) : Json(nullptr); }},
+      {"squared_angular_frequency", "1/s^2",
+       "negative for a motion that grows: the solution is not stable; null for buckling",
+       [](const Mode& m) { return m.kind == Mode::Kind::vibration ? number(m.value) : Json(nullptr); }},
   };
   return all;
 }
@@ -447,8 +483,6 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"load_work", "J", "work of the loads, l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
       {"max_displacement", "m", "largest |u| at a node",
        [](const HistoryEntry& h) { return number(h.summary.max_displacement); }},
-      {"left_out", "1", "energy that the linear model leaves out, as linearity.left_out",
-       [](const HistoryEntry& h) { return number(computation::left_out(h.summary, h.level).largest()); }},
       {"contact_area", "m^2", "mid-surface area within the boundaries of the contact zones, summed over the obstacles",
        [](const HistoryEntry& h) { return number(h.summary.contact_area); }},
       {"max_pressure", "Pa", "largest eta at a node",

@@ -29,6 +29,8 @@ Json number(double value);
 
 std::span<const Quantity<computation::Result>> result_quantities();
 /// Paths inside "singular_places[]".
+std::span<const Quantity<computation::ModelQuantity>> model_quantities();
+std::span<const Quantity<computation::Mode>> mode_quantities();
 std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities();
 /// Paths inside "layers[]".
 std::span<const Quantity<recovery::LayerStress>> layer_quantities();

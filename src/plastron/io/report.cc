@@ -51,6 +51,8 @@ std::string profiles_html(const std::vector<LineTable>& lines) {
 std::string content_html(const Json& results, const Json& scene, const std::vector<LineTable>& lines, bool has_script) {
   return verdict_html(results) + html_section("warnings", "Warnings", warnings_html(results)) +
          key_numbers_html(results) + html_section("estimates", "Estimated errors", estimates_html(results)) +
+         html_section("model", "Linear model and finite rotations", model_html(results)) +
+         html_section("modes", "Buckling and vibration", modes_html(results)) +
          html_section("shell", "Deformed shell", view_html(results, scene, has_script)) +
          html_section("case", "The case", case_html(at_path(results, "settings"))) +
          html_section("balance", "Forces and moments", balance_html(results)) +

@@ -24,6 +24,8 @@ void add_report(const computation::Result& result, const Provenance& provenance,
 /// Returns the status in a word and a sentence, and the number of the certificate's rows within their limits.
 std::string verdict_html(const Json& results);
 /// Returns estimated errors and required ones; empty if no errors were estimated.
+std::string model_html(const Json& results);
+std::string modes_html(const Json& results);
 std::string estimates_html(const Json& results);
 std::string warnings_html(const Json& results);
 std::string key_numbers_html(const Json& results);

@@ -108,8 +108,19 @@ namespace {
 /// Returns a text on the validity of the model itself.
 std::string linearity_html(const Json& results) {
   const auto value = [&](const std::string& path) { return html_number(at_path(results, path), path); };
-  return "The linear model leaves out " + value("linearity/left_out") +
-         " of the stored energy; the largest strain is " + value("linearity/max_strain") + ".";
+  const std::string status = plain_words(at_path(results, "linearity/status"));
+  std::string text;
+  if (status == "solved")
+    text = "Finite rotations change the numbers of the linear model by up to " + value("linearity/difference") + ". ";
+  else if (status == "unstable")
+    text = "With finite rotations the shell is not stable near this solution. ";
+  else if (status == "no_solution")
+    text = "With finite rotations there is no solution near this one. ";
+  else if (status == "unknown")
+    text = "The comparison with finite rotations failed. ";
+  else
+    text = "The linear model was not compared with finite rotations. ";
+  return text + "The largest strain is " + value("linearity/max_strain") + ".";
 }
 
 }  // namespace
@@ -165,6 +176,21 @@ std::string key_numbers_html(const Json& results) {
                 "along a<sub>3</sub>.</p>\n",
                 html_text(plain_words(place)), html_number(at_path(results, "stress/height"), "stress/height"));
   return "<div class=\"tiles\">\n" + tiles + "</div>\n" + peak;
+}
+
+std::string model_html(const Json& results) {
+  if (at_path(results, "linearity/quantities").empty()) return "";
+  return records_html(results, "linearity/quantities",
+                      {"<number", "linear model", "finite rotations", "<unit", "relative difference"},
+                      {"name", "linear", "finite", "unit", "difference"});
+}
+
+std::string modes_html(const Json& results) {
+  if (at_path(results, "modes").empty()) return "";
+  return records_html(results, "modes", {"<mode", "load factor", "frequency [Hz]"},
+                      {"name", "load_factor", "frequency"}) +
+         "<p>The touching nodes are held on their obstacles. The shapes are fields of <a "
+         "href=\"solution.vtu\">solution.vtu</a>.</p>\n";
 }
 
 std::string estimates_html(const Json& results) {
@@ -296,11 +322,11 @@ std::string levels_html(const Json& results) {
 
 std::string history_html(const Json& results) {
   if (at_path(results, "history").empty()) return "";
-  return records_html(results, "history",
-                      {"<step", "time", "load factor", "energy [J]", "left out by linearity", "largest |u| [m]",
-                       "contact area [m^2]", "largest pressure [Pa]", "<status"},
-                      {"step", "time", "load_factor", "energy", "left_out", "max_displacement", "contact_area",
-                       "max_pressure", "status"});
+  return records_html(
+      results, "history",
+      {"<step", "time", "load factor", "energy [J]", "largest |u| [m]", "contact area [m^2]", "largest pressure [Pa]",
+       "<status"},
+      {"step", "time", "load_factor", "energy", "max_displacement", "contact_area", "max_pressure", "status"});
 }
 
 std::string files_html(const Json& results) {

@@ -153,6 +153,12 @@ Json fields_json(const computation::Result& result, const std::vector<double>& h
   for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights, layers))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
+  for (const computation::Mode& mode : result.modes)
+    list.push_back({{"key", mode.name()},
+                    {"arrays", {mode.name()}},
+                    {"symbol", "v"},
+                    {"unit", "1"},
+                    {"meaning", "displacement of the mode; the largest is 1"}});
   if (result.estimates)
     list.push_back({{"key", "error_indicator"},
                     {"arrays", {"error_indicator"}},
@@ -200,6 +206,9 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   Json json{{"title", provenance.title}};
   json.update(record_json(result_quantities(), result));
   json["warnings"] = result.warnings;
+  json["linearity"]["quantities"] = records_json(
+      model_quantities(), result.model ? result.model->quantities : std::vector<computation::ModelQuantity>{});
+  json["modes"] = records_json(mode_quantities(), result.modes);
   json["singular_places"] = records_json(singular_place_quantities(), result.singular_places);
   json["layers"] = records_json(layer_quantities(), result.layers);
   json["supports"] = records_json(support_quantities(), result.summary.support_reactions);

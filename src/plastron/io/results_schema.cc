@@ -31,6 +31,9 @@ Part probes(std::string place, std::string_view meaning) {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       part("", "the whole result; with steps, the result of the last step", result_quantities()),
+      part("linearity/quantities/*/", "numbers of the linear model beside those of finite rotations; empty if unknown",
+           model_quantities()),
+      part("modes/*/", "buckling loads and natural frequencies; empty unless [modes] asks for them", mode_quantities()),
       part("singular_places/*/", "places where stresses have no limit as the mesh is refined",
            singular_place_quantities()),
       part("layers/*/", "stresses by layer; empty without [[material]] that has layers or is orthotropic",

@@ -52,6 +52,22 @@ void add_point(const recovery::PointValues& point, const std::vector<Field>& pre
   piece.points.insert(piece.points.end(), position.begin(), position.end());
 }
 
+/// Adds the displacements of modes, one array for each.
+void add_modes(const computation::Solution& solution, const std::vector<Eigen::Vector2d>& xi, GridPiece& piece) {
+  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const fem::Space& space = shell.space();
+  const element::BasisAt basis = element::basis_at(space.shape(), space.degree, xi);
+  for (const computation::Mode& mode : solution.modes) {
+    GridArray array{.name = mode.name(), .unit = "1", .components = 3};
+    for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+      const element::CellField values = shell.interpolation().values(cell, basis, shell.gather(cell, mode.shape));
+      for (Eigen::Index p = 0; p < values.rows(); ++p)
+        for (Eigen::Index k = 0; k < 3; ++k) array.values.push_back(values(p, k));
+    }
+    piece.point_arrays.push_back(std::move(array));
+  }
+}
+
 /// Returns the cells that this rank owns.
 GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& choice) {
   const fem::Space& space = solution.discrete->space();
@@ -73,6 +89,7 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
       piece.connectivity.push_back(static_cast<std::int64_t>(piece.connectivity.size()));
       add_point(point, present, choice.displacement_scale, piece);
     }
+  add_modes(solution, xi, piece);
   return piece;
 }
 

@@ -57,6 +57,18 @@ struct Probe {
   std::optional<Eigen::Vector3d> in_space{};  ///< if given, `at` is the nearest point: locate_points() sets it [m]
 };
 
+/// Comparison of the solution with the model of finite rotations.
+struct ModelSettings {
+  bool check = true;  ///< false: no comparison
+  int steps = 1;      ///< largest number of Newton steps
+};
+
+/// Numbers of modes to compute about the last solution, with contact held.
+struct Modes {
+  int buckling = 0;
+  int vibration = 0;
+};
+
 /// A step. Loads, forces on obstacles and their motions change from their values after the previous step to the values
 /// at its end.
 struct Step {
@@ -99,6 +111,8 @@ struct Problem {
   contact::Settings contact{};
   Linearisation linearisation{};
   Output output{};
+  Modes modes{};
+  ModelSettings model{};
   bool admissible = false;  ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
 };
 

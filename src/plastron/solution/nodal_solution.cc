@@ -4,6 +4,7 @@
 #include <plastron/constraints/map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace plastron::solution {
@@ -27,6 +28,13 @@ double total_pressure(const NodalSolution& solution, std::size_t node) {
 
 bool touches(const NodalSolution& solution, std::size_t node) {
   return std::ranges::any_of(solution.touching.at(node), [](double t) { return t != 0; });
+}
+
+double largest_displacement(const algebra::Vector& y) {
+  double largest = 0;
+  for (std::size_t i = 0; i + 2 < y.owned().size(); i += 6)
+    largest = std::max(largest, std::hypot(y.owned()[i], y.owned()[i + 1], y.owned()[i + 2]));
+  return algebra::max_over_ranks(largest, y.layout()->comm);
 }
 
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {

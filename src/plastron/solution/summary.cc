@@ -133,14 +133,41 @@ double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebr
   return algebra::max_over_ranks(most, shell.space().layout->comm);
 }
 
+/// Returns the largest principal strain of both faces, by absolute value.
+double largest_principal(const assembly::QuadraturePoint& p, const Eigen::Vector3d& membrane,
+                         const Eigen::Vector3d& bending) {
+  double largest = 0;
+  for (const double z : {-p.thickness / 2, p.thickness / 2}) {
+    const Eigen::Vector3d s = membrane + z * bending;
+    const double half_trace =
+        (p.frame.metric_con(0, 0) * s[0] + p.frame.metric_con(1, 1) * s[1] + p.frame.metric_con(0, 1) * s[2]) / 2;
+    const double determinant = (s[0] * s[1] - s[2] * s[2] / 4) * p.frame.metric_con.determinant();
+    const double principal = std::abs(half_trace) + std::sqrt(std::max(0.0, half_trace * half_trace - determinant));
+    if (!(principal <= largest)) largest = principal;
+  }
+  return largest;
+}
+
+double max_strain(const assembly::ShellOperator& shell, const algebra::Vector& y) {
+  double most = 0;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const assembly::CellStrain strains = shell.strains(c, shell.gather(c, y));
+    for (Eigen::Index q = 0; q < strains.rows(); ++q) {
+      const double strain = largest_principal(shell.point(c, static_cast<int>(q)), strains.row(q).head<3>().transpose(),
+                                              strains.row(q).segment<3>(3).transpose());
+      if (!(strain <= most)) most = strain;
+    }
+  }
+  return algebra::max_over_ranks(most, shell.space().layout->comm);
+}
+
 /// Adds energies, and whether they are only rounding.
 void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& s) {
   s.energy = discrete.shell.energies(solution.y);
   s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
-  s.second_order = assembly::second_order(discrete.shell, solution.y, discrete.state.load_factor);
+  s.max_strain = max_strain(discrete.shell, solution.y);
   s.rounding_energy = rounding_of_energy * strain_scale(discrete, solution.y, s.size).energy;
   s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
-  if (s.is_unstrained) s.second_order.work = 0;  // membrane forces are only rounding
 }
 
 /// Sum of the norms of the nodal loads, couples divided by `size` [N] (collective).

@@ -1,6 +1,5 @@
 // Totals of a solution: energies, works, resultants, contact of each obstacle, reactions of supports and rigid bodies.
 #pragma once
-#include <plastron/assembly/second_order.hpp>
 #include <plastron/solution/body_reactions.hpp>
 #include <plastron/solution/contact_forces.hpp>
 #include <plastron/solution/contact_zone.hpp>
@@ -25,7 +24,7 @@ struct ObstacleContact {
   /// Smallest gap anywhere between the shell and the obstacle, see certificate::searched_gaps(); infinite if no cell is
   /// near [m].
   double least_gap = std::numeric_limits<double>::infinity();
-  Eigen::Vector2d least_gap_at = Eigen::Vector2d::Zero();  ///< parameters in Omega
+  std::string least_gap_place{};  ///< its place in words: parameters in Omega, or the position on a mesh in space
   /// Number of nodes pushed along the shell, out of a place deep inside the obstacle.
   std::int64_t sideways_nodes = 0;
   double sideways_part = 0;  ///< part of the reaction at these nodes, without nodes on an edge of the shell
@@ -48,8 +47,8 @@ struct Summary {
   double max_rotation = 0;               ///< max |r| over nodes [rad]
   double least_thickness = 0;            ///< min e over nodes [m]
   double size = 0;                       ///< half the diagonal of the nodes' bounding box [m]
-  /// Terms neglected by linear strains; no work where the shell is not strained.
-  assembly::SecondOrder second_order{};
+  /// Largest principal strain gamma +- e/2 chi at the faces, by absolute value, at quadrature points.
+  double max_strain = 0;
   double rounding_energy = 0;  ///< energy that rounding alone may produce [J]
   double tangency_energy = 0;  ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;  ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
@@ -69,12 +68,6 @@ struct Summary {
   std::vector<BodyReaction> body_reactions{};        ///< in the order of the case
   std::vector<ObstacleContact> obstacles{};          ///< in the order of the problem
   EdgeContact edge;                                  ///< part of the contact on edges of the shell
-
-  /// Returns an energy divided by the stored one; finite also where the shell moves as a rigid body.
-  double over_stored(double part) const {
-    const double stored = std::max(energy.total(), rounding_energy);
-    return part == 0 ? 0 : part / stored;
-  }
 };
 
 /// Computes the totals, with moments about the origin, from the solution's residual() and body_balance(). What must be

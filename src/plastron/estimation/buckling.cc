@@ -1,7 +1,6 @@
 #include <plastron/estimation/estimate.hpp>
 
-#include <plastron/assembly/normal_rotation.hpp>
-#include <plastron/assembly/second_order.hpp>
+#include <plastron/finite/tangent.hpp>
 
 #include <Eigen/Eigenvalues>
 
@@ -53,11 +52,27 @@ double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector
   return solver.eigenvalues()[count - 1];
 }
 
-/// Finds the largest mu by Lanczos steps in the inner product of A. A few steps suffice: many modes lie close to the
-/// first.
-std::optional<double> buckling(const Solved& solved, DualSolver& solver) {
+/// Applies the geometric stiffness of the membrane forces.
+algebra::Vector geometric_forces(const Solved& solved, const algebra::Vector& v) {
+  const assembly::ShellOperator& shell = solved.discrete.shell;
+  algebra::Vector f(shell.space().layout, 6);
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    assembly::CellStrain stresses =
+        finite::stresses_of(solved.discrete, c, shell.strains(c, shell.gather(c, solved.nodal.y)));
+    stresses.rightCols<5>().setZero();
+    shell.scatter(c, finite::geometric_forces(shell, stresses, shell.gather(c, v)), f);
+  }
+  f.accumulate_ghosts();
+  return f;
+}
+
+}  // namespace
+
+// Lanczos steps in the inner product of A. A few steps suffice: many modes lie close to the first.
+std::optional<double> buckling(const Solved& solved, algebra::Preconditioner& preconditioner) {
   constexpr std::size_t most_steps = 30, steps_to_see_it = 8, steps_between = 4;
   constexpr double far_from_it = 0.1, settled = 0.02;
+  DualSolver solver(solved.box, solved.z, preconditioner);
   std::vector<double> alpha, beta, found;
   algebra::Vector force = on_coordinates(solved, scattered_forces(solved)), last_force(force.layout(), force.block());
   std::optional<algebra::Vector> v = response(solver, force);
@@ -66,9 +81,7 @@ std::optional<double> buckling(const Solved& solved, DualSolver& solver) {
   for (double size = std::sqrt(algebra::dot(*v, force)); size > 0 && found.size() < most_steps;) {
     for (algebra::Vector* each : {&*v, &force})
       for (double& value : each->local()) value /= size;
-    algebra::Vector next_force =
-        on_coordinates(solved, geometric_forces(solved.discrete.shell, solved.nodal.y, cartesian(solved, *v),
-                                                solved.discrete.state.load_factor));
+    algebra::Vector next_force = on_coordinates(solved, geometric_forces(solved, cartesian(solved, *v)));
     for (double& value : next_force.local()) value = -value;
     auto next = response(solver, next_force);
     if (!next) return {};
@@ -89,20 +102,6 @@ std::optional<double> buckling(const Solved& solved, DualSolver& solver) {
     v->update_ghosts();
   }
   return found.empty() ? 0 : std::max(0.0, found.back());
-}
-
-}  // namespace
-
-Linearity linearity(const Solved& solved, algebra::Preconditioner& preconditioner, bool wants_buckling) {
-  const assembly::DiscreteShell& discrete = solved.discrete;
-  DualSolver solver(solved.box, solved.z, preconditioner);
-  const auto z = response(
-      solver, on_coordinates(solved, second_order_forces(discrete.shell, solved.nodal.y, discrete.state.load_factor)));
-  if (!z) return {};
-  const algebra::Vector y = cartesian(solved, *z);
-  return {.remaining_stretch = stretch_beside(discrete.shell, solved.nodal.y, y, discrete.state.load_factor) +
-                               tangency_energy(discrete.shell, discrete.tangency_factor(), y),
-          .buckling = wants_buckling ? buckling(solved, solver) : std::nullopt};
 }
 
 }  // namespace plastron::estimation

@@ -1,0 +1,233 @@
+// Newton's steps to the model of finite rotations (M23-M29), against programs for one meridian or strip whose digits two methods
+// share; buckling loads and natural frequencies (M30), against closed forms.
+#include <plastron/computation/solve.hpp>
+#include <plastron/computation/warnings.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "computation/problems.hpp"
+
+namespace plastron::computation {
+namespace {
+
+using namespace test;
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// Of E = 1, nu = 0.3, k_s = 1, on uniform meshes of degree 4.
+problem::Problem shell_of(const std::array<std::string, 3>& chart, double e, int refinements) {
+  problem::Problem p = with_chart(free_plate(), chart, {{"e", e}});
+  p.shell.sections.common.thickness = Expression(e);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.discretisation = {.degree = 4, .refinements = refinements};
+  p.model.steps = 40;
+  return p;
+}
+
+problem::Problem disk_of(const std::array<std::string, 3>& chart, double e, double radius, int refinements = 3) {
+  problem::Problem p = shell_of(chart, e, refinements);
+  p.domain = domain::Disk{.radius = radius};
+  p.shell.supports = {clamped("rim")};
+  return p;
+}
+
+problem::Problem strip_of(const std::array<std::string, 3>& chart, double e, double length, int refinements) {
+  problem::Problem p = shell_of(chart, e, refinements);
+  p.domain = domain::Rectangle{.to = {length, 0.1}, .cells = {10, 1}};
+  p.shell.supports = {in_plane("bottom"), in_plane("top")};
+  return p;
+}
+
+obstacle::Obstacle table(double z, double n = 1) {
+  return {.shape = obstacle::HalfSpace{.point = {0, 0, z}, .normal = {0, 0, n}},
+          .face = n > 0 ? obstacle::Face::lower : obstacle::Face::upper};
+}
+
+struct Expected {
+  double energy, reaction, tolerance;
+};
+
+/// Compares with energy and reaction of `share` of the reference's shell.
+void expect_model(const problem::Problem& p, const Expected& expected, double share = 1) {
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_TRUE(r.model.has_value());
+  EXPECT_TRUE(r.model->is_converged);
+  EXPECT_TRUE(r.model->is_stable);
+  EXPECT_LE(r.model->steps, 8);
+  const auto& numbers = r.model->quantities;
+  EXPECT_NEAR(numbers[0].finite / (share * expected.energy), 1, expected.tolerance);
+  if (expected.reaction > 0) {
+    EXPECT_NEAR(numbers[1].finite / (share * expected.reaction), 1, expected.tolerance);
+  }
+}
+
+TEST(FiniteRotations, OfABowlOnATable) {
+  problem::Problem p = disk_of({"x", "y", "1.01 + e/2 - sqrt(1 - x^2 - y^2)"}, 0.05, std::sin(0.5));
+  p.shell.loads.on_areas = {force(0, 0, -0.02)};
+  p.shell.obstacles.all = {table(0)};
+  expect_model(p, {1.10810312648616867e-04, 4.00985291066305282e-03, 1e-3});
+}
+
+TEST(FiniteRotations, OfADomeUnderAPlateAndUnderABall) {
+  problem::Problem p = disk_of({"x", "y", "-1 - e/2 + sqrt(1 - x^2 - y^2)"}, 0.05, std::sin(0.5));
+  p.shell.obstacles.all = {table(-0.05, -1)};
+  expect_model(p, {9.634875967975481e-06, 4.577351501929052e-04, 1e-4});
+  p.shell.obstacles.all = {
+      {.shape = obstacle::Ball{.centre = {0, 0, 0.25}, .radius = 0.3}, .face = obstacle::Face::upper}};
+  expect_model(p, {5.964374004390057e-06, 2.0688938484945488e-04, 3e-4});
+}
+
+TEST(FiniteRotations, OfAPlateThatABallStretches) {  // the linear energy is a fourth of it
+  problem::Problem p = disk_of({"x", "y", "-e/2"}, 0.05, 1);
+  p.shell.obstacles.all = {
+      {.shape = obstacle::Ball{.centre = {0, 0, 0.3}, .radius = 0.5}, .face = obstacle::Face::upper}};
+  expect_model(p, {4.915326699123466e-05, 8.98201978554639e-04, 5e-4});
+}
+
+TEST(FiniteRotations, OfABowlThatOnlyATableHolds) {
+  problem::Problem p = disk_of({"x", "y", "1 + e/2 - sqrt(1 - x^2 - y^2)"}, 0.05, std::sin(0.5));
+  const auto at = [](double x, const std::vector<Direction>& directions) {
+    Support s = held("", directions);
+    s.point = Eigen::Vector2d(x, 0);
+    return s;
+  };
+  p.shell.supports = {at(0, {Direction::x, Direction::y}), at(std::sin(0.5), {Direction::y})};
+  p.shell.loads.on_areas = {force(0, 0, -1e-3)};
+  p.shell.obstacles.all = {table(0)};
+  expect_model(p, {1.291434893676623e-05, 7.691714484729766e-04, 1e-3});
+}
+
+TEST(FiniteRotations, OfAStripUnderItsEndForce) {  // the end turns by 1.16 rad
+  problem::Problem p = strip_of({"x", "y", "0"}, 0.1, 1, 1);
+  p.shell.supports.push_back(clamped("left"));
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(0, 0, -4e-4)}};
+  expect_model(p, {9.243717213451752e-05, 0, 1e-9}, 0.1);
+}
+
+TEST(FiniteRotations, OfARingBetweenPlates) {
+  problem::Problem p = strip_of({"sin(x)", "y", "-cos(x)"}, 0.05, std::numbers::pi / 2, 2);
+  p.shell.supports.push_back(
+      {.boundary = "left",
+       .components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::rotation, Direction::x)}});
+  p.shell.supports.push_back(
+      {.boundary = "right",
+       .components = {fixed(Unknown::displacement, Direction::z), fixed(Unknown::rotation, Direction::z)}});
+  p.shell.obstacles.all = {table(-1 - 0.025 + 0.3)};
+  // Energy of four quarters, reaction of two, for a width of 1.
+  expect_model(p, {1.0944053736183703e-05 / 4, 3.34241391461447e-05 / 2, 1e-4}, 0.1);
+}
+
+// A step more where the first one changes much; right to some per cent then.
+TEST(FiniteRotations, AreTheSameToSomePerCentWithoutManySteps) {
+  problem::Problem p = disk_of({"x", "y", "1.01 + e/2 - sqrt(1 - x^2 - y^2)"}, 0.02, std::sin(0.5));
+  p.shell.loads.on_areas = {force(0, 0, -0.002)};
+  p.shell.obstacles.all = {table(0)};
+  p.model.steps = 1;
+  const Result r = solve(p, MPI_COMM_WORLD);
+  EXPECT_LE(r.model->steps, 2);
+  EXPECT_NEAR(r.model->quantities[0].finite / 8.92086342876441e-06, 1, 0.02);
+  EXPECT_NEAR(r.model->quantities[1].finite / 1.5202651846278652e-04, 1, 0.03);
+  EXPECT_NEAR(r.model->quantities[0].linear / r.summary.energy.total(), 1, 1e-12);
+}
+
+/// A strip of length 1 in plane strain between hinges, pushed by its bending stiffness D [N/m].
+problem::Problem pinned_strip(double e, double width = 0.1) {
+  problem::Problem p = shell_of({"x", "y", "0"}, e, 0);
+  p.domain = domain::Rectangle{.to = {1, width}, .cells = {8, 1}};
+  p.discretisation.degree = 6;
+  p.model.check = false;
+  p.shell.supports = {held("left", {Direction::x, Direction::z}), held("right", {Direction::z}), in_plane("bottom"),
+                      in_plane("top")};
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(-e * e * e / (12 * (1 - 0.09)), 0, 0)}};
+  return p;
+}
+
+std::vector<double> values_of(const Result& r, Mode::Kind kind) {
+  std::vector<double> values;
+  for (const Mode& mode : r.solution->modes)
+    if (mode.kind == kind) values.push_back(mode.value);
+  return values;
+}
+
+// Engesser: P_j / D = k^2 / (1 + D k^2 / S), k = j pi, S = k_s mu e.
+TEST(Buckling, OfAPinnedStripIsEngessers) {
+  for (const double e : {0.1, 0.01}) {
+    problem::Problem p = pinned_strip(e);
+    p.modes.buckling = 3;
+    const Result r = solve(p, MPI_COMM_WORLD);
+    const std::vector<double> factors = values_of(r, Mode::Kind::buckling);
+    ASSERT_EQ(factors.size(), 3U);
+    const double D = e * e * e / (12 * (1 - 0.09)), S = e / (2 * 1.3);
+    for (int j = 1; j <= 3; ++j) {
+      const double k2 = std::pow(j * std::numbers::pi, 2);
+      EXPECT_NEAR(factors[static_cast<std::size_t>(j - 1)] * (1 + D * k2 / S) / k2, 1, 1e-7) << e << " " << j;
+    }
+  }
+}
+
+TEST(Buckling, DoesNotHappenWithoutStresses) {
+  problem::Problem p = pinned_strip(0.1);
+  p.shell.loads.on_edges.clear();
+  p.modes.buckling = 2;
+  EXPECT_TRUE(solve(p, MPI_COMM_WORLD).modes.empty());
+  p.shell.loads.on_edges = {{.boundary = "right", .force = vector(1e-6, 0, 0)}};  // pulled
+  EXPECT_TRUE(solve(p, MPI_COMM_WORLD).modes.empty());
+}
+
+// Timoshenko with rotatory inertia, rho = E = 1.
+TEST(Vibration, OfAPinnedStripIsTimoshenkos) {
+  const std::map<double, std::array<double, 3>> known{
+      {0.1, {0.2940669077255566, 1.1267755947754607, 2.3822073789403375}},
+      {0.01, {0.029862045587865, 0.119391418032147, 0.268418331377735}}};
+  for (const auto& [e, frequencies] : known) {
+    problem::Problem p = pinned_strip(e);
+    p.shell.loads.on_edges.clear();
+    p.shell.sections.common.density = 1;
+    p.modes.vibration = 5;
+    const Result r = solve(p, MPI_COMM_WORLD);
+    std::vector<double> found;
+    for (const double value : values_of(r, Mode::Kind::vibration)) found.push_back(std::sqrt(value));
+    ASSERT_EQ(found.size(), 5U);
+    for (const double omega : frequencies) EXPECT_THAT(found, Contains(testing::DoubleNear(omega, 1e-7 * omega)));
+  }
+}
+
+// Under half of the buckling load, the square of the lowest frequency is half; above the load the motion grows.
+TEST(Vibration, FeelsTheStressesOfTheSolution) {
+  double before = 0;
+  for (const double part : {0.0, 0.5, 1.1}) {
+    problem::Problem p = pinned_strip(0.01);
+    p.shell.loads.on_edges[0].force = vector(-part * 9.867285681894 * 1e-6 / (12 * (1 - 0.09)), 0, 0);
+    p.shell.sections.common.density = 1;
+    p.modes.vibration = 1;
+    const double value = values_of(solve(p, MPI_COMM_WORLD), Mode::Kind::vibration).at(0);
+    if (part == 0) before = value;
+    EXPECT_NEAR(value / before, 1 - part, 1e-4);
+  }
+}
+
+// A strip pressed on a table keeps its contact: its free parts vibrate, clamped where the contact begins.
+TEST(Vibration, KeepsTouchingNodesOnTheObstacle) {
+  problem::Problem p = pressed_strip();
+  p.shell.sections.common.density = 1;
+  p.modes.vibration = 2;
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.solution->modes.size(), 2U);
+  const auto& discrete = *r.solution->discrete;
+  for (const Mode& mode : r.solution->modes)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+      if (r.solution->nodal.touching.at(i)[0] > 0.5) {
+        const auto v = assembly::node_values(mode.shape, i);
+        const obstacle::Gap& gap = discrete.coordinates.gaps[0][i];
+        EXPECT_NEAR(gap.normal.dot(v.head<3>() + gap.arm * v.tail<3>()), 0, 1e-9);
+      }
+}
+
+}  // namespace
+}  // namespace plastron::computation
