@@ -144,8 +144,7 @@ TEST(LinearModel, of_a_clamped_disk_has_too_much_energy) {
 // A cap of 1 rad under a plate, by a program for one meridian (F R / (E e^3), e = 0.02).
 TEST(LinearModel, of_a_cap_under_a_plate_has_too_much_reaction) {
   const double e = 0.02;
-  const std::array<std::array<double, 3>, 3> depths{
-      {{0.25, 0.6071, 0.5315}, {0.5, 1.4275, 1.0663}, {1, 4.0913, 2.3448}}};
+  const std::array<std::array<double, 3>, 2> depths{{{0.5, 1.4275, 1.0663}, {1, 4.0913, 2.3448}}};
   for (const auto& [depth, linear, finite] : depths) {
     problem::Problem p = with_chart(free_plate(), {"x", "y", "sqrt(1 - x^2 - y^2)"}, {});
     p.domain = domain::Disk{.radius = std::sin(1.0)};
