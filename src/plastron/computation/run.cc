@@ -138,8 +138,10 @@ void Run::find_modes() {
       solution().modes.back().shape = std::move(found.shapes[i]);
     }
     if (!found.has_solution)
-      warn({fmt::format("no {} could be found: some motion has no stiffness, or the iteration did not converge",
-                        kind == Mode::Kind::buckling ? "buckling load" : "natural frequency")});
+      warn({kind == Mode::Kind::buckling
+                ? "no buckling load could be found: nothing compresses the shell, some motion has no stiffness, or the "
+                  "iteration did not converge"
+                : "no natural frequency could be found: the iteration did not converge"});
   };
   find(Mode::Kind::buckling, problem.modes.buckling, finite::buckling_modes);
   find(Mode::Kind::vibration, problem.modes.vibration, finite::vibration_modes);

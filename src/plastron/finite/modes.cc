@@ -128,12 +128,14 @@ Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::No
     factor.solve(force, y);
   };
   const auto inner = [&](const Vector& x, Vector& y) { stiffness.multiply(x, y); };
-  const algebra::Eigenpairs pairs = algebra::eigenpairs({.layout = discrete.space().layout,
-                                                         .block = motions.coordinates.width,
-                                                         .apply = apply,
-                                                         .inner_product = inner,
-                                                         .fixed = motions.fixed},
-                                                        algebra::End::largest, {.count = count});
+  constexpr int most_restarts = 100;  // without compression the reciprocals of all factors crowd below 0
+  const algebra::Eigenpairs pairs =
+      algebra::eigenpairs({.layout = discrete.space().layout,
+                           .block = motions.coordinates.width,
+                           .apply = apply,
+                           .inner_product = inner,
+                           .fixed = motions.fixed},
+                          algebra::End::largest, {.count = count, .max_restarts = most_restarts});
   constexpr double never = 1e-9;  // reciprocals of factors that are rounding
   Modes modes{.has_solution = pairs.converged};
   for (std::size_t i = 0; i < pairs.values.size(); ++i) {
