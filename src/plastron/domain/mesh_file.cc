@@ -203,6 +203,8 @@ class Reader {
   /// Reads the header. Returns true for version 2, false for version 4.
   bool header() {
     if (!text_.next_line()) throw mesh::DomainError(fmt::format("{}: the mesh file is empty", text_.path()));
+    if (text_.line() == "$NOD")
+      text_.refuse("it has Gmsh's format 1.0, which has no names; save the mesh in format 2.2 or 4.1");
     if (text_.line() != "$MeshFormat")
       text_.refuse(
           fmt::format("it is no Gmsh mesh file: it begins with \"{}\" and not with $MeshFormat; save the mesh "
