@@ -129,8 +129,11 @@ std::shared_ptr<const fem::Space> turned_space(const assembly::DiscreteShell& di
                                                const std::vector<BodyPlace>& bodies) {
   std::vector<Vector3d> normals, directors;
   std::vector<Eigen::Matrix3d> turns;
+  normals.reserve(points.size());
+  directors.reserve(points.size());
   for (const assembly::NodalPoint& point : discrete.points) normals.push_back(point.a3);
   for (const assembly::NodalPoint& point : points) directors.push_back(point.a3);
+  turns.reserve(bodies.size());
   for (const BodyPlace& body : bodies) turns.push_back(body.turn);
   return fem::turned(discrete.shell.space_pointer(), normals, directors, turns);
 }
