@@ -229,17 +229,14 @@ const std::vector<Limit>& limits() {
        {"large-displacements", "nonlinear"},
        "Strains are linear in the displacements: no finite rotations, and no change of stiffness by membrane forces.",
        "`linearity` in `results.json`, in the summary and in `report.html`: energy and reactions of the model of "
-       "finite "
-       "rotations, to some per cent; a warning if they differ by 5 %",
+       "finite rotations, to some per cent; a warning if they differ by 5 %",
        "a smaller load, a thicker shell, or a program with finite rotations"},
       {"buckling",
        {"snap-through", "stability"},
        "The equilibrium is unique: no buckling, no snap-through, no postbuckling.",
        "`linearity.status`, `unstable` beyond the buckling load; `linearity.buckling`, the membrane forces over the "
-       "forces "
-       "under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
-       "computes "
-       "buckling loads and their shapes",
+       "forces under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
+       "computes buckling loads and their shapes",
        "a buckling analysis with imperfections by another program"},
       {"plasticity",
        {"yield", "yielding"},
@@ -265,8 +262,7 @@ const std::vector<Limit>& limits() {
       {"temperature",
        {"thermal"},
        "Initial strains are constant in each layer and region: no temperature field. Prestress changes the stiffness "
-       "in "
-       "`plastron modes` only.",
+       "in `plastron modes` only.",
        "not shown",
        "`strain` of a layer; a program with thermal analysis"},
       {"vibrations",

@@ -257,8 +257,9 @@ void print_linearity(const computation::Result& result) {
       print("with finite rotations the shell {}\n",
             word == "unstable" ? "is not stable near this solution" : "has no equilibrium near this solution");
     for (const computation::ModelQuantity& q : result.model->quantities)
-      print("                  {} {:.4g} {}, linear {:.4g} ({})\n", q.name, q.finite, q.unit, q.linear,
-            computation::percent(q.difference()));
+      if (q.linear != 0 || q.finite != 0)
+        print("                  {} {:.4g} {}, linear {:.4g} ({})\n", q.name, q.finite, q.unit, q.linear,
+              computation::percent(q.difference()));
   }
   if (const auto& buckling = result.last_level().buckling; buckling.value_or(0) > 0)
     print("                  membrane forces are {:.2g} times the buckling load\n", *buckling);

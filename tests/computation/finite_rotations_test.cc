@@ -20,7 +20,7 @@ using namespace test;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Of E = 1, nu = 0.3, k_s = 1, on uniform meshes of degree 4.
+/// Returns a shell with E = 1, nu = 0.3, k_s = 1 on uniform meshes of degree 4.
 problem::Problem shell_of(const std::array<std::string, 3>& chart, double e, int refinements) {
   problem::Problem p = with_chart(free_plate(), chart, {{"e", e}});
   p.shell.sections.common.thickness = Expression(e);

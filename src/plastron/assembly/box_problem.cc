@@ -111,20 +111,25 @@ std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coor
   return forces;
 }
 
+std::vector<contact::Activity> likely_activity(const NodalCoordinates& coordinates, const algebra::Vector& zone) {
+  std::vector<contact::Activity> activity(coordinates.lower.owned().size(), contact::Activity::free);
+  for (const ContactRow& row : coordinates.rows)
+    if (row.binds && zone.at(row.node)[static_cast<std::size_t>(row.obstacle)] > 0.5)
+      activity[coordinates.at(row.node, row.coordinate)] = bound_of(row);
+  return activity;
+}
+
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   const ShellOperator& shell = discrete.shell;
   const NodalCoordinates& coordinates = discrete.coordinates;
   const double tangency_factor = discrete.tangency_factor();
-  const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    auto [nodes, k] = material_stiffness(shell, coordinates, c, shell.geometry(c));
+  return matrix_of_cells(shell.space(), coordinates.width, [&](std::size_t c) {
+    constraints::NodeColumns k = material_stiffness(shell, coordinates, c, shell.geometry(c));
     if (tangency_factor > 0)
-      k += gram(shell, in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
-    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
-  }
-  matrix.finish();
-  return matrix;
+      k.matrix +=
+          gram(shell, in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
+    return k;
+  });
 }
 
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {

@@ -14,6 +14,28 @@
 
 namespace plastron::assembly {
 
+/// Returns the side on which the row bounds its coordinate.
+inline contact::Activity bound_of(const ContactRow& row) {
+  return row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
+}
+
+/// Returns the activity of owned coordinates with each bound on its likely side. `zone`: a value for each node and obstacle,
+/// above one half if contact is likely.
+std::vector<contact::Activity> likely_activity(const NodalCoordinates& coordinates, const algebra::Vector& zone);
+
+/// Returns the sum of the cells' matrices in coordinates of this width: of_cell(cell) is the matrix of an owned cell on its
+/// sources (collective).
+template <class OfCell>
+algebra::Matrix matrix_of_cells(const fem::Space& space, int width, const OfCell& of_cell) {
+  algebra::Matrix matrix(space.layout, width, space.constraints.couplings(space.connectivity));
+  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+    const constraints::NodeColumns k = of_cell(c);
+    matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
+  }
+  matrix.finish();
+  return matrix;
+}
+
 /// Returns the matrix of a(., .) in nodal coordinates, including the form of normal_rotation.hpp (collective).
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
 

@@ -57,16 +57,6 @@ algebra::Vector interpolated_zone(algebra::Vector touching, const algebra::Vecto
   return touching;
 }
 
-std::vector<contact::Activity> likely_activity(const assembly::DiscreteShell& discrete, const algebra::Vector& zone) {
-  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  std::vector<contact::Activity> activity(coordinates.lower.owned().size(), contact::Activity::free);
-  for (const assembly::ContactRow& row : coordinates.rows)
-    if (row.binds && at(zone, row) > 0.5)
-      activity[coordinates.at(row.node, row.coordinate)] =
-          row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
-  return activity;
-}
-
 std::vector<char> open_coordinates(const assembly::DiscreteShell& discrete, const algebra::Vector& zone) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   std::vector<char> marks(coordinates.lower.owned().size(), 0);

@@ -19,9 +19,6 @@ algebra::Vector continued_roots(const assembly::DiscreteShell& discrete, const s
 /// Returns the zone on a finer mesh, from both fields interpolated from the mesh before.
 algebra::Vector interpolated_zone(algebra::Vector touching, const algebra::Vector& roots);
 
-/// Returns the activity of owned coordinates with each bound on its likely side.
-std::vector<contact::Activity> likely_activity(const assembly::DiscreteShell& discrete, const algebra::Vector& zone);
-
 /// Marks owned coordinates whose side the zone leaves open. Empty if the zone leaves no side open.
 std::vector<char> open_coordinates(const assembly::DiscreteShell& discrete, const algebra::Vector& zone);
 

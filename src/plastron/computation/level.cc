@@ -76,7 +76,8 @@ class LevelRun {
                                          if (observer_.iteration) observer_.iteration(task_.number, i);
                                        },
                                    .stop = [&] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
-    const auto guess = zone ? likely_activity(*discrete_, *zone) : std::vector<contact::Activity>{};
+    const auto guess =
+        zone ? assembly::likely_activity(discrete_->coordinates, *zone) : std::vector<contact::Activity>{};
     contact::BoxSolution z = contact::solve(box, guess, last_->kept, settings, follow);
     if (!z.positions.empty()) press(*discrete_, z.positions);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;

@@ -123,13 +123,15 @@ struct ModelQuantity {
   }
 };
 
-/// What the linear model costs (model_check.hpp).
+/// Comparison of the linear solution with the model of finite rotations (model_check.hpp).
 struct ModelCheck {
   contact::Status status = contact::Status::solved;  ///< status of the step; without quantities if it is not solved
   /// Whether every motion has a positive stiffness. If not, the shell buckles or snaps through near this solution.
   bool is_stable = true;
-  double time = 0;            ///< time of the solution, if there are steps
-  int steps = 0;              ///< number of Newton steps
+  double time = 0;                   ///< time of the solution, if there are steps
+  double relative_displacement = 0;  ///< largest |u| / e of the linear solution
+  double rotation = 0;               ///< largest |r| of the linear solution [rad]
+  int steps = 0;                     ///< number of Newton steps
   bool is_converged = false;  ///< whether a further step changes nothing: the quantities are those of the other model
   int factorisations = 0;
   double seconds = 0;

@@ -113,7 +113,8 @@ void Run::check_model(double time) {
   }
   check.seconds = watch.lap();
   check.time = time;
-  checked_displacement_ = result.summary.max_relative_displacement;
+  check.relative_displacement = checked_displacement_ = result.summary.max_relative_displacement;
+  check.rotation = result.summary.max_rotation;
   const auto badness = [](const ModelCheck& c) {
     return std::pair(c.status == contact::Status::solved ? (c.is_stable ? 0 : 1) : 2, c.largest());
   };

@@ -31,30 +31,33 @@ std::string instant_text(const Result& result) {
   return result.history.empty() ? "" : fmt::format("at time {:g}, ", result.model->time);
 }
 
+/// Returns where the solution that was compared lies, and what to do.
+std::string model_advice(const ModelCheck& check) {
+  return fmt::format(
+      "the displacement is up to {:.3g} thicknesses, the rotation up to {:.3g} rad; use a smaller load, a thicker "
+      "shell "
+      "or a program for finite rotations",
+      check.relative_displacement, check.rotation);
+}
+
 std::string linear_model_text(const Result& result) {
+  const ModelCheck& check = *result.model;
   std::vector<std::string> numbers;
-  for (const ModelQuantity& q : result.model->quantities)
+  for (const ModelQuantity& q : check.quantities)
     if (q.difference() > notable_model_error)
       numbers.push_back(fmt::format("{} {:.3g} {} and not {:.3g} {}", q.name, q.finite, q.unit, q.linear, q.unit));
-  const solution::Summary& s = result.summary;
-  return fmt::format(
-      "{}the linear model is left: the model of finite rotations has{} {}; displacements are up to {:.3g} m or "
-      "{:.3g} thicknesses, rotations up to {:.3g} rad; use a smaller load, a thicker shell or a program for finite "
-      "rotations",
-      instant_text(result), result.model->is_converged ? "" : ", nearly,", fmt::join(numbers, ", "), s.max_displacement,
-      s.max_relative_displacement, s.max_rotation);
+  return fmt::format("{}the linear model is left: the model of finite rotations has{} {}; {}{}", instant_text(result),
+                     check.is_converged ? "" : ", nearly,", fmt::join(numbers, ", "), model_advice(check),
+                     check.is_converged ? "" : "; [model] steps = 40 computes these numbers to the end");
 }
 
 std::string unstable_text(const Result& result) {
-  const solution::Summary& s = result.summary;
   return fmt::format(
-      "{}the linear model is left: with finite rotations the shell {}; it buckles or snaps through before; "
-      "displacements "
-      "are up to {:.3g} m or {:.3g} thicknesses; use a smaller load, a thicker shell or a program for finite rotations",
+      "{}the linear model is left: with finite rotations the shell {}; it buckles or snaps through before; {}",
       instant_text(result),
       result.model->status == contact::Status::solved ? "is not stable near this solution"
                                                       : "has no equilibrium near this solution",
-      s.max_displacement, s.max_relative_displacement);
+      model_advice(*result.model));
 }
 
 std::string buckling_text(double buckling) {
@@ -141,8 +144,8 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem) {
   const bool triangles = d.cells == mesh::Shape::triangle;
   return {fmt::format(
       "{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, {:.3g} "
-      "times the "
-      "thickness, and displacements in bending come out more than 10 % too small from about {:.2g} m on; {}, or "
+      "times the thickness, and displacements in bending come out more than 10 % too small from about {:.2g} m on; {}, "
+      "or "
       "refine {} more time{}",
       triangles ? "triangles" : "quadrilaterals", d.degree, size, size / thickness, limit,
       triangles ? (d.degree == 1 ? "take cells = \"quadrilateral\" with tying, or degree 2"
@@ -214,8 +217,8 @@ std::vector<std::string> geometry_warnings(const Result& result) {
   const estimation::GeometryDeviation& mesh = *result.estimates->geometry;
   return {fmt::format(
       "the mesh of the file limits the accuracy: {} changes by {:.2g} % if the cells are fitted to their neighbours; "
-      "the "
-      "mesh deviates from the part by about {:.2g} m at ({:.4g}, {:.4g}, {:.4g}) m; export cells of a higher order, or "
+      "the mesh deviates from the part by about {:.2g} m at ({:.4g}, {:.4g}, {:.4g}) m; export cells of a higher "
+      "order, or "
       "smaller ones",
       worst->name, 100 * *worst->geometry_error / std::abs(worst->value), mesh.largest, mesh.place[0], mesh.place[1],
       mesh.place[2])};

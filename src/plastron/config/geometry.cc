@@ -104,11 +104,10 @@ std::vector<Section> geometry_sections() {
             "region = [three expressions]. Required with domain"),
         key("file", Kind::text, {},
             "instead of domain and chart: a mesh in space, whose quadrilaterals or triangles are the mid-surface. A "
-            "Gmsh "
-            "file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical curves "
+            "Gmsh file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical "
+            "curves "
             "name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. Facets (.stl, "
-            ".obj, "
-            ".ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
+            ".obj, .ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
         key("size", &SpaceReading::size, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
             "sides of the cells that are made from facets. If not given: about 2000 quadrilaterals on the surface. "
@@ -117,21 +116,18 @@ std::vector<Section> geometry_sections() {
             "factor from the lengths of the file to those of the case: 1e-3 for a file in millimetres"),
         key("upper", &SpaceReading::upper, &Table::direction_or_none, {.kind = Kind::vector},
             "direction to which the normal a3 points, on average. If not given, a3 of a closed surface points "
-            "outwards, "
-            "that of others to the side of most cells of the file"),
+            "outwards, that of others to the side of most cells of the file"),
         key("smooth", &SpaceReading::smooth_angle, &Table::angle_or_none,
             {.kind = Kind::number, .unit = "degrees", .range = Range::between(0, 170)},
             "cells that meet at a smaller angle are smooth there, others are a fold. If not given: 10 for cells of "
-            "order "
-            "2 or more, 30 for facets and other cells with straight sides"),
+            "order 2 or more, 30 for facets and other cells with straight sides"),
         key("folds", &SpaceReading::folds, {.fallback = "[]"}, "names of curves that are folds, whatever their angle"),
         key("tolerance", &SpaceReading::tolerance, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
             "nodes nearer to each other than this are one node. If not given: 1e-9 of the extent"),
         key("offset", Kind::number, {.fallback = "0", .range = Range::between(-1, 1)},
             "distance of the mid-surface from the surface of the file along a3, as a part of the thickness: 0.5 if the "
-            "file "
-            "is the lower face, -0.5 if it is the upper one. Only without folds"),
+            "file is the lower face, -0.5 if it is the upper one. Only without folds"),
         key("slits", &SpaceReading::has_slits, {.fallback = "false"},
             "true: edges may run beside each other without being joined; otherwise such a gap is an error")},
        {"domain", "file"},

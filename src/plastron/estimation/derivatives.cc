@@ -74,8 +74,7 @@ Derivative weigh(const std::vector<WeightedMultiplier>& all, const std::optional
 
 bool is_active(const assembly::ContactRow& row, const Solved& solved) {
   if (!row.binds) return false;
-  const auto bound = row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
-  return solved.z.activity[solved.discrete.coordinates.at(row.node, row.coordinate)] == bound;
+  return solved.z.activity[solved.discrete.coordinates.at(row.node, row.coordinate)] == bound_of(row);
 }
 
 /// The counted part of each force of supports at an owned node: all of it, or the boundary's share.

@@ -3,6 +3,7 @@
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/finite/newton_step.hpp>
+#include <plastron/finite/scalar_blocks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace plastron::finite {
 
 using algebra::Vector;
 using assembly::NodalCoordinates;
-using assembly::RowMatrix;
 
 namespace {
 
@@ -29,50 +29,28 @@ SmallMotions small_motions(const assembly::DiscreteShell& discrete, const soluti
           discrete.obstacles, element::Formulation::tangent, discrete.state),
       .fixed = {}};
   motions.fixed = motions.coordinates.prescribed();
-  for (const assembly::ContactRow& row : motions.coordinates.rows)
-    if (row.binds && solution.touching.at(row.node)[static_cast<std::size_t>(row.obstacle)] > 0.5)
-      motions.fixed[motions.coordinates.at(row.node, row.coordinate)] = 1;
+  const auto activity = assembly::likely_activity(motions.coordinates, solution.touching);
+  for (std::size_t i = 0; i < activity.size(); ++i)
+    if (activity[i] != contact::Activity::free) motions.fixed[i] = 1;
   return motions;
-}
-
-algebra::Matrix linear_stiffness(const assembly::DiscreteShell& discrete, const NodalCoordinates& coordinates) {
-  const fem::Space& space = discrete.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const auto [nodes, k] = assembly::material_stiffness(discrete.shell, coordinates, c, discrete.shell.geometry(c));
-    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
-  }
-  matrix.finish();
-  return matrix;
 }
 
 /// Returns the matrix of int rho (e u . v + e^3/12 r . s) dS.
 algebra::Matrix mass_matrix(const assembly::DiscreteShell& discrete, const NodalCoordinates& coordinates) {
   const assembly::ShellOperator& shell = discrete.shell;
-  const fem::Space& space = discrete.space();
   const Eigen::MatrixXd& value = shell.tables().quadrature.value;
-  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
+  return assembly::matrix_of_cells(discrete.space(), coordinates.width, [&](std::size_t c) {
     Eigen::VectorXd of_u(value.rows()), of_r(value.rows());
     for (Eigen::Index q = 0; q < value.rows(); ++q) {
       const assembly::QuadraturePoint p = shell.point(c, static_cast<int>(q));
       of_u[q] = shell.section(c).density * p.thickness * p.area;
       of_r[q] = of_u[q] * p.thickness * p.thickness / 12;
     }
-    const Eigen::MatrixXd u = value.transpose() * of_u.asDiagonal() * value,
-                          r = value.transpose() * of_r.asDiagonal() * value;
-    RowMatrix m = RowMatrix::Zero(6 * u.rows(), 6 * u.rows());
-    for (Eigen::Index i = 0; i < u.rows(); ++i)
-      for (Eigen::Index j = 0; j < u.cols(); ++j) {
-        m.block<3, 3>(6 * i, 6 * j).diagonal().setConstant(u(i, j));
-        m.block<3, 3>(6 * i + 3, 6 * j + 3).diagonal().setConstant(r(i, j));
-      }
-    const RowMatrix half = in_coordinates(coordinates, c, std::move(m)).matrix;
-    const auto [nodes, k] = in_coordinates(coordinates, c, half.transpose());
-    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
-  }
-  matrix.finish();
-  return matrix;
+    ScalarBlocks mass = zero_blocks(shell.tables().nodes_per_cell());
+    mass.of_u = weighted_product(value, of_u, value);
+    mass.of_r = weighted_product(value, of_r, value);
+    return in_coordinates(coordinates, c, mass);
+  });
 }
 
 /// Returns (u, r) of a motion, with the largest displacement 1 and the sign that makes the largest component positive.
@@ -93,10 +71,6 @@ Vector shape_of(const NodalCoordinates& coordinates, const Vector& z) {
   return y;
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether stresses leave the stiffness as it is, up to rounding.
 bool is_negligible(const algebra::Matrix& geometric, const algebra::Matrix& stiffness) {
   constexpr double rounding = 1e-15;
@@ -115,7 +89,12 @@ bool is_negligible(const algebra::Matrix& geometric, const algebra::Matrix& stif
 
 Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
   const SmallMotions motions = small_motions(discrete, solution);
-  const algebra::Matrix stiffness = linear_stiffness(discrete, motions.coordinates),
+  const algebra::Matrix stiffness = assembly::matrix_of_cells(discrete.space(), motions.coordinates.width,
+                                                              [&](std::size_t c) {
+                                                                return assembly::material_stiffness(
+                                                                    discrete.shell, motions.coordinates, c,
+                                                                    discrete.shell.geometry(c));
+                                                              }),
                         geometric = geometric_matrix(discrete, prestress_of_linear(discrete, solution), discrete.points,
                                                      motions.coordinates);
   if (is_negligible(geometric, stiffness)) return {.has_solution = true};
@@ -136,10 +115,10 @@ Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::No
                            .inner_product = inner,
                            .fixed = motions.fixed},
                           algebra::End::largest, {.count = count, .max_restarts = most_restarts});
-  constexpr double never = 1e-9;  // reciprocals of factors that are rounding
+  constexpr double never = 1e-9;  // reciprocals of factors, relative to the largest, that are rounding
   Modes modes{.has_solution = pairs.converged};
   for (std::size_t i = 0; i < pairs.values.size(); ++i) {
-    if (!(pairs.values[i] > never)) break;
+    if (!(pairs.values[i] > 0 && pairs.values[i] > never * pairs.values[0])) break;
     modes.values.push_back(1 / pairs.values[i]);
     modes.shapes.push_back(shape_of(motions.coordinates, pairs.vectors[i]));
   }

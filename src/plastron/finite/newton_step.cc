@@ -54,18 +54,6 @@ std::vector<NodeSupport> remaining_supports(const assembly::DiscreteShell& discr
   return all;
 }
 
-contact::Activity bound_of(const ContactRow& row) {
-  return row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
-}
-
-std::vector<contact::Activity> expected_set(const NodalCoordinates& coordinates, const algebra::Vector& touching) {
-  std::vector<contact::Activity> set(coordinates.lower.owned().size(), contact::Activity::free);
-  for (const ContactRow& row : coordinates.rows)
-    if (row.binds && touching.at(row.node)[static_cast<std::size_t>(row.obstacle)] > 0.5)
-      set[coordinates.at(row.node, row.coordinate)] = bound_of(row);
-  return set;
-}
-
 /// Returns W (M27) of strains, without the constant of initial strains.
 double energy_of(const assembly::ShellOperator& shell, std::size_t cell, const CellStrain& strains) {
   return strains.cwiseProduct(shell.weighted_stresses(cell, strains)).sum() / 2;
@@ -226,7 +214,7 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const State& sta
       f.owned()[i] += box.shift * diagonal.owned()[i] * z.owned()[i];
   };
   algebra::Factorisation factor(matrix);
-  const auto expected = expected_set(coordinates, state.touching);
+  const auto expected = assembly::likely_activity(coordinates, state.touching);
   contact::BoxSolution z = contact::solve(box, expected, factor, settings, observer);
   while (is_indefinite(z.status) && box.shift < largest_shift) {
     box.shift = box.shift == 0 ? least_shift : 4 * box.shift;

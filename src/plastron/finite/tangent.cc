@@ -1,3 +1,4 @@
+#include <plastron/finite/scalar_blocks.hpp>
 #include <plastron/finite/tangent.hpp>
 
 namespace plastron::finite {
@@ -8,26 +9,16 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Returns sum over points of weight_p a_pi b_pj.
-Eigen::MatrixXd weighted_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& b) {
-  return a.transpose() * weights.asDiagonal() * b;
-}
-
 /// Returns sum over points of s_11 a_1 b_1 + s_22 a_2 b_2 + s_12 (a_1 b_2 + a_2 b_1), by nodes.
 Eigen::MatrixXd of_gradients(const element::BasisAt& basis, const Eigen::Ref<const Eigen::MatrixX3d>& s) {
   return weighted_product(basis.d1, s.col(0), basis.d1) + weighted_product(basis.d2, s.col(1), basis.d2) +
          weighted_product(basis.d1, s.col(2), basis.d2) + weighted_product(basis.d2, s.col(2), basis.d1);
 }
 
-/// The geometric stiffness of a cell: its blocks between nodes are multiples of the unit matrix.
-struct GeometricStiffness {
-  Eigen::MatrixXd of_u, of_u_and_r;
-};
-
-GeometricStiffness geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses) {
+ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses) {
   const element::ElementTables& tables = shell.tables();
-  GeometricStiffness k{.of_u = Eigen::MatrixXd::Zero(tables.nodes_per_cell(), tables.nodes_per_cell()),
-                       .of_u_and_r = of_gradients(tables.quadrature, stresses.middleCols<3>(3))};
+  ScalarBlocks k = zero_blocks(tables.nodes_per_cell());
+  k.of_u_and_r = of_gradients(tables.quadrature, stresses.middleCols<3>(3));
   for (std::size_t s = 0; s < tables.samplings.size(); ++s) {
     const element::BasisAt& basis = tables.samplings[s].basis;
     const ShellOperator::SampledStrain sampled = shell.sampled_stresses(s, stresses);
@@ -35,17 +26,6 @@ GeometricStiffness geometric_stiffness(const ShellOperator& shell, const CellStr
     k.of_u_and_r += weighted_product(basis.d1, sampled.col(3), basis.value) +
                     weighted_product(basis.d2, sampled.col(4), basis.value);
   }
-  return k;
-}
-
-RowMatrix on_nodes(const GeometricStiffness& blocks) {
-  RowMatrix k = RowMatrix::Zero(6 * blocks.of_u.rows(), 6 * blocks.of_u.rows());
-  for (Eigen::Index i = 0; i < blocks.of_u.rows(); ++i)
-    for (Eigen::Index j = 0; j < blocks.of_u.cols(); ++j) {
-      k.block<3, 3>(6 * i, 6 * j).diagonal().setConstant(blocks.of_u(i, j));
-      k.block<3, 3>(6 * i, 6 * j + 3).diagonal().setConstant(blocks.of_u_and_r(i, j));
-      k.block<3, 3>(6 * j + 3, 6 * i).diagonal().setConstant(blocks.of_u_and_r(i, j));
-    }
   return k;
 }
 
@@ -112,7 +92,7 @@ algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const
 
 element::CellField geometric_forces(const ShellOperator& shell, const CellStrain& stresses,
                                     const element::CellField& field) {
-  const GeometricStiffness k = geometric_stiffness(shell, stresses);
+  const ScalarBlocks k = geometric_stiffness(shell, stresses);
   element::CellField forces(field.rows(), 6);
   forces.leftCols<3>() = k.of_u * field.leftCols<3>() + k.of_u_and_r * field.rightCols<3>();
   forces.rightCols<3>() = k.of_u_and_r.transpose() * field.leftCols<3>();
@@ -121,21 +101,12 @@ element::CellField geometric_forces(const ShellOperator& shell, const CellStrain
 
 namespace {
 
-/// Assembles stiffness of cells, and the curvature of the spheres. `add(cell, matrix)` adds to the geometric stiffness.
-template <class Add>
-algebra::Matrix assembled(const assembly::DiscreteShell& discrete, const State& state,
-                          const std::vector<assembly::NodalPoint>& points,
-                          const assembly::NodalCoordinates& coordinates, const Add& add) {
-  const ShellOperator& shell = discrete.shell;
-  const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const RowMatrix half =
-        in_coordinates(coordinates, c, on_nodes(geometric_stiffness(shell, state.stresses[c]))).matrix;
-    auto [nodes, k] = in_coordinates(coordinates, c, half.transpose());
-    add(c, k);
-    matrix.add(nodes, {k.data(), static_cast<std::size_t>(k.size())});
-  }
+/// Adds the curvature of the spheres to the stiffness of the cells, `of_cell`.
+template <class OfCell>
+algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const State& state,
+                               const std::vector<assembly::NodalPoint>& points,
+                               const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
+  algebra::Matrix matrix = assembly::matrix_of_cells(discrete.space(), coordinates.width, of_cell);
   algebra::Vector forces = unbalanced_forces(discrete, state.y, [&](std::size_t c) { return state.stresses[c]; });
   coordinates.space->constraints.apply_transposed(forces);
   add_curvature_of_spheres(forces, state, points, coordinates, matrix);
@@ -148,15 +119,20 @@ algebra::Matrix assembled(const assembly::DiscreteShell& discrete, const State& 
 algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const State& state,
                                  const std::vector<assembly::NodalPoint>& points,
                                  const assembly::NodalCoordinates& coordinates) {
-  return assembled(discrete, state, points, coordinates, [](std::size_t /*cell*/, RowMatrix& /*k*/) {});
+  return with_curvature(discrete, state, points, coordinates, [&](std::size_t c) {
+    return in_coordinates(coordinates, c, geometric_stiffness(discrete.shell, state.stresses[c]));
+  });
 }
 
 algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const State& state,
                                const std::vector<assembly::NodalPoint>& points,
                                const assembly::NodalCoordinates& coordinates) {
-  return assembled(discrete, state, points, coordinates, [&](std::size_t c, RowMatrix& k) {
-    const ShellOperator& shell = discrete.shell;
-    k += assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, state.y))).matrix;
+  const ShellOperator& shell = discrete.shell;
+  return with_curvature(discrete, state, points, coordinates, [&](std::size_t c) {
+    constraints::NodeColumns k =
+        assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, state.y)));
+    k.matrix += in_coordinates(coordinates, c, geometric_stiffness(shell, state.stresses[c])).matrix;
+    return k;
   });
 }
 

@@ -61,8 +61,7 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_rotation); }},
       {"linearity/status", "-",
        "comparison with the model of finite rotations: solved; unstable, if the shell buckles or snaps through near "
-       "this "
-       "solution; no_solution; unknown, if the contact problem of a step was not solved; not_made",
+       "this solution; no_solution; unknown, if the contact problem of a step was not solved; not_made",
        [](const Result& r) { return Json(r.model ? computation::word_of(*r.model) : "not_made"); }, Form::text},
       {"linearity/steps", "1", "Newton steps towards finite rotations",
        [](const Result& r) { return Json(r.model ? r.model->steps : 0); }, Form::integer},
@@ -74,8 +73,7 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return r.model && !r.history.empty() ? number(r.model->time) : Json(nullptr); }},
       {"linearity/difference", "1",
        "largest relative error of linear numbers in linearity/quantities, without the contact area; a warning from "
-       "0.05 "
-       "on",
+       "0.05 on",
        [](const Result& r) {
          return r.model && r.model->status == contact::Status::solved ? number(r.model->largest()) : Json(nullptr);
        }},

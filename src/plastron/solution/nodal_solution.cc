@@ -1,5 +1,6 @@
 #include <plastron/solution/nodal_solution.hpp>
 
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/constraints/map.hpp>
 
@@ -53,8 +54,7 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
   const algebra::Vector r = residual(discrete, solution);
   for (const assembly::ContactRow& row : coordinates.rows) {
     if (!row.binds) continue;
-    const auto bound = row.scale > 0 ? contact::Activity::at_lower : contact::Activity::at_upper;
-    if (box.activity[coordinates.at(row.node, row.coordinate)] != bound) continue;
+    if (box.activity[coordinates.at(row.node, row.coordinate)] != bound_of(row)) continue;
     const auto k = static_cast<std::size_t>(row.obstacle);
     solution.touching.at(row.node)[k] = 1;
     solution.pressure.at(row.node)[k] =
