@@ -265,6 +265,15 @@ void print_linearity(const computation::Result& result) {
     print("                  membrane forces are {:.2g} times the buckling load\n", *buckling);
 }
 
+/// Prints the margin of stability of an equilibrium with finite rotations.
+void print_stability(const computation::Result& result) {
+  if (!result.stability) return;
+  const computation::StabilityMargins& s = *result.stability;
+  print("stability         margin {:.3g} (1 without stresses, 0 where it snaps)", s.margin);
+  if (s.weak_nodes > 0) print(", {:.3g} without {} nodes in weak contact", s.margin_without_weak_contact, s.weak_nodes);
+  print("\n");
+}
+
 /// Prints load factors and natural frequencies.
 void print_modes(const std::vector<computation::Mode>& modes) {
   using Kind = computation::Mode::Kind;
@@ -300,6 +309,7 @@ void print_summary(const computation::Result& result) {
         100 * s.energy.membrane / total, 100 * s.energy.bending / total, 100 * s.energy.shear / total);
   print_estimates(result);
   print_linearity(result);
+  print_stability(result);
   print_modes(result.modes);
   print("largest           |u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad\n", s.max_displacement,
         s.max_relative_displacement, s.max_rotation);
@@ -337,8 +347,10 @@ void print_summary(const computation::Result& result) {
     print("penetration       {:.2e} m between nodes, {:.2e} m at nodes\n", between, std::max(0.0, -c.min_gap_nodes));
     print_lifts(result);
   }
-  print("certificate       equilibrium {:.1e}, force balance {:.1e}, moment balance {:.1e}, energy identity {:.1e}\n",
-        c.stationarity, c.force_balance, c.moment_balance, c.energy_identity);
+  const bool is_finite = result.rotations == element::Rotations::finite;
+  print("certificate       equilibrium {:.1e}, force balance {:.1e}, moment balance {:.1e}, energy {} {:.1e}\n",
+        c.stationarity, c.force_balance, c.moment_balance, is_finite ? "derivative" : "identity",
+        is_finite ? c.energy_derivative : c.energy_identity);
   if (result.has_obstacle)
     print("                  min pressure {:.2e} Pa, max |pressure * gap| {:.1e}\n", c.min_pressure, c.complementarity);
   for (const auto& p : result.probes) {

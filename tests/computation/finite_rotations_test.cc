@@ -53,8 +53,29 @@ struct Expected {
   double energy, reaction, tolerance;
 };
 
-/// Compares with energy and reaction of `share` of the reference's shell.
+/// Solves with finite rotations and compares energy and reaction, and the certificate.
+void expect_finite(problem::Problem p, const Expected& expected, double share) {
+  p.shell.rotations = element::Rotations::finite;
+  const Result r = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  EXPECT_NEAR(r.summary.energy.total() / (share * expected.energy), 1, expected.tolerance);
+  if (expected.reaction > 0) {
+    EXPECT_NEAR(r.summary.reaction.force.norm() / (share * expected.reaction), 1, expected.tolerance);
+  }
+  EXPECT_LT(r.certificate.stationarity, 1e-9);
+  EXPECT_LT(r.certificate.force_balance, 1e-9);
+  EXPECT_LT(r.certificate.moment_balance, 1e-9);
+  EXPECT_LT(r.certificate.energy_derivative, 1e-9);
+  ASSERT_TRUE(r.stability.has_value());
+  EXPECT_GT(r.stability->margin, 0);
+  EXPECT_LT(r.stability->margin, 1);
+  EXPECT_FALSE(r.model.has_value());
+}
+
+/// Compares both the steps from the linear solution and the solution with finite rotations with energy and reaction of `share`
+/// of the reference's shell.
 void expect_model(const problem::Problem& p, const Expected& expected, double share = 1) {
+  expect_finite(p, expected, share);
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_TRUE(r.model.has_value());
   EXPECT_TRUE(r.model->is_converged);
@@ -136,6 +157,43 @@ TEST(FiniteRotations, AreTheSameToSomePerCentWithoutManySteps) {
   EXPECT_NEAR(r.model->quantities[0].linear / r.summary.energy.total(), 1, 1e-12);
 }
 
+// A prescribed end director rolls a strip up: d turns evenly, and the stretch lambda takes the axial force of the curvature out,
+// lambda^2 = 1 - (e kappa)^2 / 6. For u free and nu = 0 this solves (M23-M27) exactly.
+TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
+  constexpr double e = 0.1, length = 1, theta = 2.5, kappa = theta / length;
+  problem::Problem p = strip_of({"x", "y", "0"}, e, length, 0);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0, 1);
+  p.shell.supports.push_back(clamped("left"));
+  Support end{.boundary = "right", .components = {}};
+  const auto d = vector(-std::sin(theta), 0, std::cos(theta) - 1);
+  for (const auto& [direction, value] :
+       {std::pair(Direction::x, d[0]), std::pair(Direction::y, d[1]), std::pair(Direction::z, d[2])})
+    end.components.push_back(fixed(Unknown::rotation, direction, value));
+  p.shell.supports.push_back(end);
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  const double lambda2 = 1 - std::pow(e * kappa, 2) / 6;
+  const double energy = 0.1 * length / 2 *
+                        (e * std::pow(std::pow(e * kappa, 2) / 12, 2) + std::pow(e, 3) / 12 * kappa * kappa * lambda2);
+  EXPECT_NEAR(r.summary.energy.total() / energy, 1, 1e-8);
+  EXPECT_NEAR(r.summary.max_rotation, theta, 1e-9);
+}
+
+// Loads times 1e-6 reproduce the linear model.
+TEST(FiniteRotations, ThatAreSmallAreThoseOfTheLinearModel) {
+  problem::Problem p = disk_of({"x", "y", "1.01 + e/2 - sqrt(1 - x^2 - y^2)"}, 0.05, std::sin(0.5), 2);
+  p.shell.loads.on_areas = {force(1e-9, 2e-9, -2e-8)};
+  p.model.check = false;
+  const Result small = solve(p, MPI_COMM_WORLD);
+  p.shell.rotations = element::Rotations::finite;
+  const Result finite = solve(p, MPI_COMM_WORLD);
+  EXPECT_NEAR(finite.summary.energy.total() / small.summary.energy.total(), 1, 1e-5);
+  EXPECT_NEAR(finite.summary.max_displacement / small.summary.max_displacement, 1, 1e-5);
+  ASSERT_TRUE(finite.stability.has_value());
+  EXPECT_NEAR(finite.stability->margin, 1, 1e-3);
+}
+
 /// A strip of length 1 in plane strain between hinges, pushed by its bending stiffness D [N/m].
 problem::Problem pinned_strip(double e, double width = 0.1) {
   problem::Problem p = shell_of({"x", "y", "0"}, e, 0);
@@ -209,6 +267,21 @@ TEST(Vibration, FeelsTheStressesOfTheSolution) {
     const double value = values_of(solve(p, MPI_COMM_WORLD), Mode::Kind::vibration).at(0);
     if (part == 0) before = value;
     EXPECT_NEAR(value / before, 1 - part, 1e-4);
+  }
+}
+
+// The margin of stability falls to 0 at Engesser's load. Above it the straight strip is an equilibrium, but not a stable one.
+TEST(Stability, OfACompressedStripEndsAtItsBucklingLoad) {
+  for (const double part : {0.5, 1.1}) {
+    problem::Problem p = pinned_strip(0.01);
+    p.shell.rotations = element::Rotations::finite;
+    p.shell.loads.on_edges[0].force = vector(-part * 9.867285681894 * 1e-6 / (12 * (1 - 0.09)), 0, 0);
+    const Result r = solve(p, MPI_COMM_WORLD);
+    EXPECT_EQ(r.status, part < 1 ? contact::Status::solved : contact::Status::unstable) << r.missed_limits;
+    ASSERT_TRUE(r.stability.has_value());
+    EXPECT_NEAR(r.stability->margin, 1 - part, 1e-3);
+    ASSERT_EQ(r.solution->modes.size(), 1U);
+    EXPECT_EQ(r.solution->modes[0].name(), "softest_motion");
   }
 }
 

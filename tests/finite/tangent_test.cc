@@ -1,4 +1,5 @@
 // Forces and stiffness of the shell with finite rotations: derivatives of the energy (M27) along directors of length 1.
+#include <plastron/assembly/deformed.hpp>
 #include <plastron/finite/tangent.hpp>
 
 #include <Eigen/Geometry>
@@ -22,19 +23,19 @@ const std::vector<test::Element> elements{{test::quadrilateral, 1, true},
                                           {test::quadrilateral, 2, false},
                                           {test::triangle, 2, false}};
 
-/// A loaded shell of two or more cells; clamped on one side if `is_clamped`.
+/// A loaded shell of two or more cells without supports.
 std::unique_ptr<DiscreteShell> make(const test::Element& element, const std::array<std::string, 3>& chart,
-                                    bool is_clamped = true) {
+                                    element::Rotations rotations = element::Rotations::finite) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(domain::Rectangle{.cells = {2, 1}}, chart, degree, 1, shape);
   assembly::ShellDescription description{.sections = test::steel_of(geometry::Expression(0.1)), .tying = tying};
-  if (is_clamped) description.supports = {test::clamp("left")};
+  description.rotations = rotations;
   const auto of = [](double c) { return geometry::Expression(c); };
   description.loads.on_areas = {{.force = {of(0.02), of(-0.01), of(0.03)}, .couple = {of(0.01), of(0.02), of(0)}}};
   return assembly::discretise(m.space, m.surface, description);
 }
 
-/// A smooth field (u, r) that leaves the clamped side at rest.
+/// A smooth field (u, r).
 algebra::Vector some_field(const DiscreteShell& discrete, double phase) {
   return test::interpolant(discrete.shell, [&](const NodalPoint& p) {
     assembly::Vector6 y;
@@ -50,42 +51,28 @@ algebra::Vector sum(algebra::Vector y, double factor, const algebra::Vector& z) 
 
 /// Returns W - l (M27).
 double potential(const DiscreteShell& discrete, const algebra::Vector& y) {
-  double energy = 0;
-  for (std::size_t c = 0; c < discrete.space().owned_cells; ++c) {
-    const CellStrain strains = discrete.shell.finite_strains(c, discrete.shell.gather(c, y));
-    energy += strains.cwiseProduct(discrete.shell.weighted_stresses(c, strains)).sum() / 2;
-  }
-  return algebra::sum_over_ranks(energy, discrete.space().layout->comm) - algebra::dot(discrete.load, y);
+  return discrete.energies(y).total() - algebra::dot(discrete.load, y);
 }
 
-State state_at(const DiscreteShell& discrete, algebra::Vector y) {
-  State state{.y = std::move(y)};
-  for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
-    state.stresses.push_back(
-        stresses_of(discrete, c, discrete.shell.finite_strains(c, discrete.shell.gather(c, state.y))));
-  state.contact_couples.assign(static_cast<std::size_t>(discrete.space().layout->owned), 0);
-  return state;
+/// Linearises the shell at y; returns its stresses there.
+Prestress linearise_at(DiscreteShell& discrete, algebra::Vector y) {
+  linearise(discrete, {.displacement = std::move(y)});
+  return prestress(discrete, solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, 1)));
 }
 
 TEST(UnbalancedForces, AreTheDerivativeOfThePotential) {
   for (const test::Element& element : elements) {
     const auto discrete = make(element, test::saddle);
     const algebra::Vector y = some_field(*discrete, 0.2), w = some_field(*discrete, 1.1);
-    const double f_w = algebra::dot(unbalanced_forces(*discrete, y), w);
+    algebra::Vector f(discrete->space().layout, 6);
+    discrete->residual(y, f);
+    const double f_w = algebra::dot(f, w);
     // The potential is a polynomial of fourth degree: the difference of this order is exact.
     const auto slope = [&](double t) {
       return (potential(*discrete, sum(y, t, w)) - potential(*discrete, sum(y, -t, w))) / (2 * t);
     };
     EXPECT_NEAR(f_w, (4 * slope(0.5) - slope(1)) / 3, 1e-11 * std::abs(f_w));
   }
-}
-
-/// Unconstrained coordinates on the deformed shell.
-assembly::NodalCoordinates coordinates_at(const DiscreteShell& discrete, const std::vector<NodalPoint>& points) {
-  return assembly::nodal_coordinates(
-      discrete.shell.space_pointer(), points,
-      std::vector<assembly::NodeSupport>(static_cast<std::size_t>(discrete.space().layout->owned)), {},
-      element::Formulation::tangent);
 }
 
 /// Values of coordinates that are the same on any number of ranks.
@@ -101,16 +88,14 @@ algebra::Vector some_coordinates(const DiscreteShell& discrete) {
 TEST(TangentMatrix, IsTheSecondDerivativeOfThePotentialOnDirectorsOfLengthOne) {
   for (const test::Element& element : elements) {
     const auto discrete = make(element, test::saddle);
-    const State state = state_at(*discrete, with_unit_directors(*discrete, some_field(*discrete, 0.2)));
-    const auto points = moved_points(*discrete, state.y);
-    const auto coordinates = coordinates_at(*discrete, points);
-    const algebra::Matrix K = tangent_matrix(*discrete, state, points, coordinates);
-    const algebra::Vector z = some_coordinates(*discrete);
+    const Prestress prestress = linearise_at(*discrete, some_field(*discrete, 0.2));
+    const algebra::Matrix K = tangent_matrix(*discrete, prestress, discrete->coordinates);
+    const algebra::Vector z = some_coordinates(*discrete), &y = discrete->state.displacement;
     algebra::Vector w(discrete->space().layout, 6), K_z(z);
     K.multiply(z, K_z);
-    coordinates.to_cartesian(z, w);
+    discrete->coordinates.to_cartesian(z, w);
     const auto along = [&](double t) {
-      return potential(*discrete, with_unit_directors(*discrete, sum(state.y, t, w)));
+      return potential(*discrete, with_unit_directors(discrete->space(), discrete->points, sum(y, t, w)));
     };
     const double t = 1e-3, second = algebra::dot(z, K_z);
     const auto difference = [&](double s) { return (along(s) - 2 * along(0) + along(-s)) / (s * s); };
@@ -120,11 +105,11 @@ TEST(TangentMatrix, IsTheSecondDerivativeOfThePotentialOnDirectorsOfLengthOne) {
 
 TEST(TangentMatrix, OfTheUndeformedShellIsTheStiffnessOfTheLinearModelToTheLastBit) {
   for (const test::Element& element : elements) {
-    const auto discrete = make(element, test::saddle);
-    State state = state_at(*discrete, algebra::Vector(discrete->space().layout, 6));
+    const auto discrete = make(element, test::saddle), small = make(element, test::saddle, element::Rotations::small);
+    const Prestress none = linearise_at(*discrete, algebra::Vector(discrete->space().layout, 6));
     discrete->load.fill(0);  // couples along a_3 bend the sphere of directors
-    const algebra::Matrix linear = assembly::stiffness_matrix(*discrete),
-                          tangent = tangent_matrix(*discrete, state, discrete->points, discrete->coordinates);
+    const algebra::Matrix linear = assembly::stiffness_matrix(*small),
+                          tangent = tangent_matrix(*discrete, none, discrete->coordinates);
     algebra::Vector z = some_coordinates(*discrete), of_linear(z), of_tangent(z);
     linear.multiply(z, of_linear);
     tangent.multiply(z, of_tangent);
@@ -137,11 +122,12 @@ TEST(Stresses, OfAPlateThatTurnsByAnyAngleAreZero) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2.0, Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix() - Eigen::Matrix3d::Identity();
   for (const test::Element& element : elements) {
-    const auto discrete = make(element, test::flat, false);
+    const auto discrete = make(element, test::flat);
     const auto y = test::interpolant(discrete->shell, [&](const NodalPoint& p) {
       return (assembly::Vector6() << turn * p.phi + Vector3d(1, 2, 3), turn * p.a3).finished();
     });
-    for (const CellStrain& stresses : state_at(*discrete, y).stresses) EXPECT_LT(stresses.norm(), 1e-14);
+    for (std::size_t c = 0; c < discrete->space().owned_cells; ++c)
+      EXPECT_LT(discrete->stresses(c, discrete->strains(c, y)).norm(), 1e-14);
   }
 }
 

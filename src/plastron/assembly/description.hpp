@@ -59,6 +59,7 @@ struct ShellDescription {
   CrossSections sections{};  ///< thickness, material and density, by region
   bool tying = true;         ///< (M22); triangles are never tied
   element::Tangency tangency{};
+  element::Rotations rotations = element::Rotations::small;
   std::vector<Support> supports{};
   Loads loads{};
   RigidObstacles obstacles{};

@@ -1,5 +1,6 @@
 #include <plastron/assembly/discrete_shell.hpp>
 
+#include <plastron/assembly/deformed.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -26,20 +27,67 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                                                                 .full_load = std::move(load),
                                                                 .obstacles_at_start = description.obstacles,
                                                                 .tangency = description.tangency,
-                                                                .supports = description.supports});
+                                                                .supports = description.supports,
+                                                                .rotations = description.rotations});
   linearise(*discrete, std::move(state));
   return discrete;
 }
 
+namespace {
+
+/// Adds what depends on the state with finite rotations: places of nodes and bodies, coordinates of increments, loads on bodies.
+void linearise_deformed(DiscreteShell& discrete, std::vector<NodeSupport> supports) {
+  State increments = discrete.state;
+  increments.displacement = {};
+  algebra::Vector y(discrete.space().layout, 6);
+  if (discrete.state.is_deformed())
+    y = discrete.state.displacement =
+        with_unit_directors(discrete.space(), discrete.points, std::move(discrete.state.displacement));
+  discrete.moved = moved_points(discrete.points, y);
+  discrete.places = body_places(discrete.space(), discrete.points, y);
+  auto space = turned_space(discrete.shell.space_pointer(), discrete.points, discrete.moved, discrete.places);
+  turn_body_loads(discrete.space(), *space, discrete.state.load_factor, discrete.load);
+  algebra::axpy(-discrete.state.load_factor, initial_forces(discrete.shell), discrete.load);  // part of stresses()
+  discrete.coordinates =
+      nodal_coordinates(std::move(space), discrete.moved, remaining_supports(std::move(supports), discrete.points, y),
+                        discrete.obstacles, element::Formulation::tangent, increments);
+}
+
+}  // namespace
+
 void linearise(DiscreteShell& discrete, State state) {
   discrete.state = std::move(state);
   discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
-  discrete.coordinates =
-      nodal_coordinates(discrete.shell.space_pointer(), discrete.points,
-                        node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports),
-                        discrete.obstacles, discrete.tangency.formulation, discrete.state);
   discrete.load = discrete.full_load;
   for (double& value : discrete.load.local()) value *= discrete.state.load_factor;
+  auto supports = node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports);
+  if (discrete.has_finite_rotations())
+    linearise_deformed(discrete, std::move(supports));
+  else
+    discrete.coordinates = nodal_coordinates(discrete.shell.space_pointer(), discrete.points, supports,
+                                             discrete.obstacles, discrete.tangency.formulation, discrete.state);
+}
+
+CellStrain DiscreteShell::strains(std::size_t cell, const algebra::Vector& y) const {
+  const element::CellField field = shell.gather(cell, y);
+  return has_finite_rotations() ? shell.finite_strains(cell, field) : shell.strains(cell, field);
+}
+
+CellStrain DiscreteShell::stresses(std::size_t cell, const CellStrain& strains) const {
+  CellStrain stresses = shell.weighted_stresses(cell, strains);
+  if (const auto initial = shell.weighted_initial_stresses(cell)) stresses -= state.load_factor * *initial;
+  return stresses;
+}
+
+Energies DiscreteShell::energies(const algebra::Vector& y) const {
+  if (!has_finite_rotations()) return shell.energies(y);
+  return shell.energies_of([&](std::size_t cell) { return strains(cell, y); });
+}
+
+obstacle::ShellPoint DiscreteShell::shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
+                                                const Vector6& motion) const {
+  if (has_finite_rotations()) return {phi, a3, thickness, motion.head<3>(), motion.tail<3>()};
+  return assembly::shell_point(phi, a3, thickness, motion);
 }
 
 element::CellField DiscreteShell::state_values(std::size_t cell, const element::BasisAt& at) const {
@@ -55,8 +103,14 @@ std::vector<Eigen::Vector2d> DiscreteShell::support_points() const {
 }
 
 double DiscreteShell::nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const {
-  const Vector6 moved = node_values(y, node);
-  return coordinates.gaps[k][node](moved.head<3>(), geometry::tangential(moved.tail<3>(), points[node].a3));
+  const Vector6 now = in_coordinates(y, node);
+  return coordinates.gaps[k][node](now.head<3>(), geometry::tangential(now.tail<3>(), place(node).a3));
+}
+
+double DiscreteShell::linearised_gap(std::size_t k, const NodalPoint& at, const Vector6& before,
+                                     const Vector6& now) const {
+  const obstacle::ShellPoint here = shell_point(at.phi, at.a3, at.thickness, now);
+  return gap(k, shell_point(at.phi, at.a3, at.thickness, before))(here.u, here.r);
 }
 
 double DiscreteShell::way_pressed(std::size_t k) const {
@@ -84,7 +138,10 @@ void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
 }
 
 void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const {
-  apply(y, f);
+  if (has_finite_rotations())
+    f = forces_of_stresses(shell, y, [&](std::size_t c) { return stresses(c, strains(c, y)); });
+  else
+    apply(y, f);
   algebra::axpy(-1, load, f);
 }
 

@@ -1,5 +1,8 @@
 // A shell on one mesh, linearised at a state and ready to be solved: strains, nodal coordinates with their bounds,
 // loads.
+//
+// With small rotations only the gaps depend on the state, and coordinates are those of (u, r). With finite rotations (M23-M29)
+// coordinates are those of increments from the state, on the deformed shell: at a solution they are 0.
 #pragma once
 #include <plastron/assembly/description.hpp>
 #include <plastron/assembly/load_vector.hpp>
@@ -18,23 +21,45 @@ struct DiscreteShell {
   RigidObstacles obstacles_at_start;
   element::Tangency tangency;
   std::vector<Support> supports{};
+  element::Rotations rotations = element::Rotations::small;
 
   // Data of the state:
   State state{};
   RigidObstacles obstacles{};
   NodalCoordinates coordinates{};
-  algebra::Vector load{};  ///< load factor times full_load
+  algebra::Vector load{};                ///< load factor times full_load (with finite rotations: see linearise())
+  std::vector<NodalPoint> moved{};       ///< moved_points() of the state; empty with small rotations
+  std::vector<fem::BodyPlace> places{};  ///< places of the rigid bodies in the state; empty with small rotations
 
   const fem::Space& space() const { return shell.space(); }
+  bool has_finite_rotations() const { return rotations == element::Rotations::finite; }
+  /// Returns the node where forces act and directions are taken: of the deformed shell if rotations are finite.
+  const NodalPoint& place(std::size_t node) const { return has_finite_rotations() ? moved[node] : points[node]; }
+  /// Returns the part of (u, r) at a node that the coordinates describe.
+  Vector6 in_coordinates(const algebra::Vector& y, std::size_t node) const {
+    return has_finite_rotations() ? Vector6(node_values(y, node) - state.at(node)) : node_values(y, node);
+  }
+  /// Returns the strains at the quadrature points of a cell with nodal values y.
+  CellStrain strains(std::size_t cell, const algebra::Vector& y) const;
+  /// Returns N, M, Q of strains at the quadrature points, times area, less those of initial strains.
+  CellStrain stresses(std::size_t cell, const CellStrain& strains) const;
+  /// Returns the three parts of the energy (collective).
+  Energies energies(const algebra::Vector& y) const;
+  /// Returns a point of the shell after the motion (u, r) = `moved`. With small rotations r . a_3 moves no face.
+  obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
+                                   const Vector6& motion) const;
   /// Factor of the form of normal_rotation.hpp: 1/p (M13), rho (M14) or zero.
   double tangency_factor() const;
   /// Computes f = A y through strains, including the form of normal_rotation.hpp. Needs y's ghosts (collective).
+  /// Precondition: small rotations.
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
-  /// Computes f = A y - l, the forces of supports and obstacles, on owned nodes. Forces at constrained nodes have
-  /// not yet been moved to other nodes. Needs y's ghosts (collective).
+  /// Computes the forces of supports and obstacles on owned nodes, A y - l or the derivative of (M27). Forces at
+  /// constrained nodes have not yet been moved to other nodes. Needs y's ghosts (collective).
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// Returns the gap (M16) against obstacle k at a point that the state has moved.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
+  /// Returns the same gap, as linearised at `state`, where the fields are (u, r) = `now` [m].
+  double linearised_gap(std::size_t k, const NodalPoint& at, const Vector6& state, const Vector6& now) const;
   /// Returns the linearised gap of fields (u, r) between a local node and obstacle k, without the state's lift. It uses
   /// the tangential part of r [m].
   double nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const;
@@ -49,9 +74,22 @@ struct DiscreteShell {
 };
 
 /// Linearises the shell at another state: gaps at the faces that the state has moved, their coordinates and bounds, and
-/// the loads. Strains are linear; with finite rotations their operator would change here too (collective). Throws
-/// SupportError, ObstacleError.
+/// the loads. With finite rotations directors get length 1, the loads of rigid bodies turn with them, and initial stresses are
+/// no loads (collective).
+/// Throws SupportError, ObstacleError.
 void linearise(DiscreteShell& discrete, State state);
+
+/// Returns the forces of stresses at (u, r) = y, B(y)' S, on owned nodes. Forces at constrained nodes have not yet been moved
+/// to others. `stresses_at(cell)`: stresses at the cell's quadrature points, times area (collective).
+template <class StressesAt>
+algebra::Vector forces_of_stresses(const ShellOperator& shell, const algebra::Vector& y,
+                                   const StressesAt& stresses_at) {
+  algebra::Vector f(shell.space().layout, 6);
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
+    shell.scatter(c, shell.forces(c, stresses_at(c), shell.geometry(c, shell.gather(c, y))), f);
+  f.accumulate_ghosts();
+  return f;
+}
 
 /// Returns the shell linearised at `state` (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,

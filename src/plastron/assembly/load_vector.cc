@@ -264,10 +264,17 @@ algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads) {
     for (const EdgeLoad& load : loads.on_edges) sum.add_edge_load(load);
     sum.throw_if_not_finite();
   });
+  f.accumulate_ghosts();
+  for (const fem::PlacedBody& body : shell.space().bodies) add_body_load(shell.space(), body, f);
+  algebra::axpy(1, initial_forces(shell), f);
+  return f;
+}
+
+algebra::Vector initial_forces(const ShellOperator& shell) {
+  algebra::Vector f(shell.space().layout, 6);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
     if (const auto initial = shell.weighted_initial_stresses(c)) shell.scatter(c, shell.forces(c, *initial), f);
   f.accumulate_ghosts();
-  for (const fem::PlacedBody& body : shell.space().bodies) add_body_load(shell.space(), body, f);
   return f;
 }
 

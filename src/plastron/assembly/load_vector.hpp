@@ -22,4 +22,7 @@ struct LoadError : std::invalid_argument {
 /// pieces (geometry::is_piecewise) are integrated between the borders of the pieces, even if these are narrow. Throws LoadError on all ranks together.
 algebra::Vector load_vector(const ShellOperator& shell, const Loads& loads);
 
+/// Returns the part of the load vector that initial strains cause, on the undeformed shell (collective).
+algebra::Vector initial_forces(const ShellOperator& shell);
+
 }  // namespace plastron::assembly

@@ -72,7 +72,7 @@ std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surfa
 /// `width` columns for each node on which the cell's values depend.
 constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::size_t cell, RowMatrix cartesian);
 
-/// Returns a point of the shell after the motion (u, r) = `moved`.
+/// Returns a point of the shell after the motion (u, r) = `moved` with small rotations.
 obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);
 
 /// Returns the coordinates with the gaps against `obstacles` at their positions, linearised at `state`. `supports`: those

@@ -11,6 +11,15 @@ using geometry::Frame;
 using geometry::Vector3d;
 using shell::LocalField;
 
+namespace {
+
+Energies over_ranks(const Energies& energies, MPI_Comm comm) {
+  return {algebra::sum_over_ranks(energies.membrane, comm), algebra::sum_over_ranks(energies.bending, comm),
+          algebra::sum_over_ranks(energies.shear, comm)};
+}
+
+}  // namespace
+
 ShellOperator::ShellOperator(std::shared_ptr<const fem::Space> space, std::shared_ptr<const fem::Surface> surface,
                              CrossSections sections, bool tying, bool is_covariant, const PackKernels& kernels)
     : space_(std::move(space)),
@@ -129,21 +138,27 @@ CellStrain ShellOperator::strains(std::size_t cell, const element::CellField& fi
 }
 
 CellStrain ShellOperator::strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
-                                     const std::vector<MatrixXd>& tied, std::span<const geometry::Frame> frames) const {
+                                     const std::vector<MatrixXd>& tied, std::span<const geometry::Frame> frames,
+                                     const element::CellField* state) const {
   PLASTRON_ASSERT(frames.size() == basis.xi.size() && (tied.empty() || tied.size() == tables_.samplings.size()),
                   frames.size(), basis.xi.size(), tied.size(), tables_.samplings.size());
   CellStrain strains = CellStrain::Zero(basis.value.rows(), 8);
-  const element::FieldRows rows = interpolation_.fields(cell, basis, interpolation_.bases(cell, basis.xi), field);
+  const auto bases = interpolation_.bases(cell, basis.xi);
+  const element::FieldRows rows = interpolation_.fields(cell, basis, bases, field);
+  std::optional<element::FieldRows> moved;
+  if (state) moved = interpolation_.fields(cell, basis, bases, *state);
   for (Eigen::Index p = 0; p < strains.rows(); ++p) {
-    const geometry::Frame& frame = frames[static_cast<std::size_t>(p)];
+    const geometry::Frame& reference = frames[static_cast<std::size_t>(p)];
+    const geometry::Frame frame = moved ? shell::deformed(reference, moved->at(p)) : reference;
     strains.row(p).segment<3>(3) = shell::bending_strain(rows.at(p), frame);
     if (tables_.tying) continue;
     strains.row(p).head<3>() = shell::membrane_strain(rows.at(p), frame.a_cov);
     strains.row(p).tail<2>() = shell::shear_strain(rows.at(p), frame.a_cov, frame.a3);
   }
-  const CellGeometry reference = tied.empty() ? CellGeometry{} : geometry(cell);
+  CellGeometry at;
+  if (!tied.empty()) at = state ? geometry(cell, *state) : geometry(cell);
   for (std::size_t s = 0; s < tied.size(); ++s) {
-    const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field, reference);
+    const SampledStrain at_points = tied[s] * sampled_strains(s, cell, field, at);
     for (const int m : tables_.samplings[s].membrane) strains.col(m) = at_points.col(m);
     for (const int d : tables_.samplings[s].shear) strains.col(6 + d) = at_points.col(3 + d);
   }
@@ -274,10 +289,10 @@ void ShellOperator::add_product(const algebra::Vector& y, algebra::Vector& f) co
       scatter(c, forces(c, weighted_stresses(c, strains(c, gather(c, y)))), f);
 }
 
-Energies ShellOperator::energies_cell_by_cell(const algebra::Vector& y) const {
+Energies ShellOperator::energies_of(const std::function<CellStrain(std::size_t)>& strains_at) const {
   Energies sum;
   for (std::size_t c = 0; c < space_->owned_cells; ++c) {
-    const CellStrain s = strains(c, gather(c, y));
+    const CellStrain s = strains_at(c);
     for (int q = 0; q < tables_.points_per_cell(); ++q) {
       const QuadraturePoint p = point(c, q);
       const shell::Strain<double> strain{s.row(q).head<3>(), s.row(q).segment<3>(3), s.row(q).tail<2>()};
@@ -287,22 +302,15 @@ Energies ShellOperator::energies_cell_by_cell(const algebra::Vector& y) const {
       sum.shear += p.area * density.shear;
     }
   }
-  return sum;
+  return over_ranks(sum, space_->layout->comm);
 }
 
 Energies ShellOperator::energies(const algebra::Vector& y) const {
   PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before energies()");
   assert_is_field(y, "asked for its energy");
-  Energies sum;
-  if (has_packed_strains()) {
-    const PackEnergies packs = kernels().energies(packed(), y.local().data());
-    sum = {packs.membrane, packs.bending, packs.shear};
-  } else {
-    sum = energies_cell_by_cell(y);
-  }
-  const MPI_Comm comm = space_->layout->comm;
-  return {algebra::sum_over_ranks(sum.membrane, comm), algebra::sum_over_ranks(sum.bending, comm),
-          algebra::sum_over_ranks(sum.shear, comm)};
+  if (!has_packed_strains()) return energies_of([&](std::size_t cell) { return strains(cell, gather(cell, y)); });
+  const PackEnergies packs = kernels().energies(packed(), y.local().data());
+  return over_ranks({packs.membrane, packs.bending, packs.shear}, space_->layout->comm);
 }
 
 }  // namespace plastron::assembly

@@ -11,6 +11,7 @@
 #include <plastron/shell/section.hpp>
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -106,9 +107,10 @@ class ShellOperator {
   RowMatrix strain_matrix(std::size_t cell) const { return strain_matrix(cell, geometry(cell)); }
 
   /// Strains at other points of a cell: tied components through `tied` (tied_interpolation at those points), the others
-  /// directly.
+  /// directly. `state`: (u, r) at which the strains are linearised, as in geometry(); null for the reference.
   CellStrain strains_at(std::size_t cell, const element::CellField& field, const element::BasisAt& basis,
-                        const std::vector<MatrixXd>& tied, std::span<const geometry::Frame> frames) const;
+                        const std::vector<MatrixXd>& tied, std::span<const geometry::Frame> frames,
+                        const element::CellField* state = nullptr) const;
 
   /// Computes f = A y for Cartesian nodal values (block 6). Needs y's ghosts; f is complete on owned nodes
   /// (collective).
@@ -117,6 +119,9 @@ class ShellOperator {
   void add_product(const algebra::Vector& y, algebra::Vector& f) const;
   /// Returns 1/2 a(y, y) by its three parts, over all ranks (collective).
   Energies energies(const algebra::Vector& y) const;
+  /// Returns the three parts of 1/2 S : C : S of strains S at the quadrature points of owned cells, over all ranks
+  /// (collective).
+  Energies energies_of(const std::function<CellStrain(std::size_t cell)>& strains_at) const;
 
   geometry::Frame frame_at(std::size_t cell, int q) const { return packs_.frame(cell, static_cast<std::size_t>(q)); }
   /// Computes a quadrature point from stored data.
@@ -144,8 +149,6 @@ class ShellOperator {
   element::Interpolation::Bases sampling_bases(std::size_t sampling, std::size_t cell) const {
     return bases_at(sampling_bases_[sampling], cell, tables_.samplings[sampling].basis.xi.size());
   }
-  /// Energies of this rank's cells.
-  Energies energies_cell_by_cell(const algebra::Vector& y) const;
   SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field,
                                 const CellGeometry& at) const;
 

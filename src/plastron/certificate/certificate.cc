@@ -37,18 +37,17 @@ double lever(const Vector6& direction, double thickness) {
 
 /// Adds one obstacle at one node. Returns its generalised force.
 Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
-                    const assembly::ContactRow& row, const Vector6& y, Sums& sums) {
+                    const assembly::ContactRow& row, Sums& sums) {
   const auto k = static_cast<std::size_t>(row.obstacle);
-  const assembly::NodalPoint& point = discrete.points[row.node];
-  const double gap = discrete.coordinates.gaps[k][row.node](y.head<3>(), geometry::tangential(y.tail<3>(), point.a3));
+  const double gap = discrete.nodal_gap(k, row.node, solution.y);
   if (row.is_touchable() || row.is_left_out) sums.min_gap = std::min(sums.min_gap, gap);
   Vector6 force = contact_force(discrete, solution, row);
   if (solution.touching.at(row.node)[k] == 0) return force;
   const double pressure = solution.pressure.at(row.node)[k];
   sums.min_pressure = std::min(sums.min_pressure, pressure);
   sums.complementarity = std::max(sums.complementarity, std::abs(pressure * (gap - discrete.state.lift(row.node, k))));
-  sums.contact_work += force.dot(y);
-  add_scales(point, force, sums);
+  sums.contact_work += force.dot(node_values(solution.y, row.node));
+  add_scales(discrete.place(row.node), force, sums);
   return force;
 }
 
@@ -57,13 +56,13 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::Nod
 void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t i,
               const Vector6& r, Sums& sums) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  const assembly::NodalPoint& point = discrete.points[i];
-  const Vector6 y = node_values(solution.y, i), load = node_values(discrete.load, i);
+  const assembly::NodalPoint& point = discrete.place(i);
+  const Vector6 y = node_values(solution.y, i), in_coordinates = discrete.in_coordinates(solution.y, i),
+                load = node_values(discrete.load, i);
   add_scales(point, load, sums);
   if (discrete.space().continuity.constrains(i)) return;
   Vector6 contact = Vector6::Zero();
-  for (const assembly::ContactRow& row : coordinates.rows_of(i))
-    contact += add_contact(discrete, solution, row, y, sums);
+  for (const assembly::ContactRow& row : coordinates.rows_of(i)) contact += add_contact(discrete, solution, row, sums);
   const Vector6 rest = r - contact;
   for (int k = 0; k < coordinates.width; ++k) {
     const Vector6 direction = coordinates.direction(i, k);
@@ -76,7 +75,7 @@ void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolu
       sums.support_work += component * direction.dot(y);
       // Prescribed directions are unit vectors orthogonal to the node's other directions: the coordinate is a
       // projection.
-      const double error = std::abs(direction.dot(y) - coordinates.lower.local()[coordinates.at(i, k)]);
+      const double error = std::abs(direction.dot(in_coordinates) - coordinates.lower.local()[coordinates.at(i, k)]);
       sums.support_error = std::max(sums.support_error, lever(direction, point.thickness) * error);
       sums.all_forces += per_force * component * component;
     } else {
@@ -110,9 +109,26 @@ void add_areas(const assembly::DiscreteShell& discrete, const solution::NodalSol
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : part; }
 
+/// Returns the error of the energy's derivative along (u, r) itself. Differences of fourth order are exact for W, a polynomial of
+/// fourth degree.
+double energy_derivative(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double energy) {
+  constexpr double step = 1e-3;
+  const auto at = [&](double t) {
+    algebra::Vector scaled = y;
+    for (double& value : scaled.local()) value *= 1 + t;
+    return discrete.energies(scaled).total();
+  };
+  const double slope = (8 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12 * step);
+  const double work = algebra::dot(
+      forces_of_stresses(discrete.shell, y,
+                         [&](std::size_t c) { return discrete.shell.weighted_stresses(c, discrete.strains(c, y)); }),
+      y);
+  return ratio(std::abs(slope - work), std::max(std::abs(work), 2 * energy));
+}
+
 /// `least` are the scales below which forces and energies are rounding.
-Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& sums, const solution::Summary& s,
-                           const solution::StrainScale& least) {
+Certificate certificate_of(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                           const Sums& sums, const solution::Summary& s, const solution::StrainScale& least) {
   const MPI_Comm comm = discrete.space().layout->comm;
   const auto sum = [comm](double value) { return algebra::sum_over_ranks(value, comm); };
   Certificate c{.min_gap_between = std::numeric_limits<double>::infinity()};
@@ -128,6 +144,10 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const Sums& 
   const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment;
   c.force_balance = ratio(force.norm(), std::max(sum(sums.force_scale), least.force));
   c.moment_balance = ratio(moment.norm(), std::max(sum(sums.moment_scale), least.moment));
+  if (discrete.has_finite_rotations()) {
+    c.energy_derivative = energy_derivative(discrete, solution.y, std::max(s.energy.total(), least.energy));
+    return c;
+  }
   const double work = s.load_work + sum(sums.contact_work) + sum(sums.support_work);
   const double a = 2 * (s.energy.total() + s.tangency_energy);
   c.energy_identity = ratio(std::abs(a - work), std::max(a, least.energy));
@@ -149,7 +169,7 @@ Verdict certify(const assembly::DiscreteShell& discrete, const solution::NodalSo
   add_bodies(bodies, discrete.space().layout->comm, sums);
   const auto least = verdict.summary.is_unstrained ? solution::strain_scale(discrete, solution.y, verdict.summary.size)
                                                    : solution::StrainScale{};
-  verdict.certificate = certificate_of(discrete, sums, verdict.summary, least);
+  verdict.certificate = certificate_of(discrete, solution, sums, verdict.summary, least);
   return verdict;
 }
 

@@ -4,6 +4,7 @@
 #include <plastron/solution/nodal_solution.hpp>
 #include <plastron/solution/summary.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace plastron::certificate {
@@ -20,7 +21,11 @@ struct Certificate {
   double complementarity = 0;  ///< max |eta_i (g_i - s_i)|, s_i the lift of the bound [Pa m]
   double force_balance = 0;    ///< |loads + obstacle + supports| / sum of the norms of all nodal forces and couples / e
   double moment_balance = 0;   ///< likewise for moments about the origin; decreases with h on curved charts
-  double energy_identity = 0;  ///< |a(U,U) - l(U) - sum eta_i (g_i - g_i(0)) - support work| / a(U,U)
+  /// |a(U,U) - l(U) - sum eta_i (g_i - g_i(0)) - support work| / a(U,U); NaN with finite rotations
+  double energy_identity = std::numeric_limits<double>::quiet_NaN();
+  /// |dW(U)[U] - f(U) . U| / max(|f(U) . U|, 2 W(U)), f the nodal forces of the stresses: energy and forces are computed by
+  /// different loops. NaN with small rotations
+  double energy_derivative = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Verdict {

@@ -47,7 +47,7 @@ class CellPoints {
   obstacle::FaceGap gap(std::size_t obstacle, std::size_t p) const {
     const Vector3d& a3 = frames_[p].a3;
     const obstacle::ShellPoint at =
-        assembly::shell_point(frames_[p].phi, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
+        discrete_.shell_point(frames_[p].phi, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
     obstacle::FaceGap gap = discrete_.obstacles.true_gap(obstacle, now_[obstacle], at);
     if (!may_pass(obstacle, at)) return gap;
     const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u, a3);
@@ -77,7 +77,7 @@ class CellPoints {
     const assembly::NodalPoint& at = discrete_.points[first];
     const assembly::Vector6 moved = assembly::node_values(y_, first);
     return discrete_.obstacles
-               .true_gap(obstacle, now_[obstacle], assembly::shell_point(at.phi, at.a3, at.thickness, moved))
+               .true_gap(obstacle, now_[obstacle], discrete_.shell_point(at.phi, at.a3, at.thickness, moved))
                .clearance <= reserve * radius;
   }
   std::vector<std::size_t> near_obstacles(std::size_t cell) const {

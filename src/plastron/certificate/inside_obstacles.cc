@@ -54,7 +54,7 @@ PushedSideways pushed_sideways(const assembly::DiscreteShell& discrete, const so
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     if (solution.touching.at(i)[k] == 0) continue;
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][i];
-    const assembly::NodalPoint& point = discrete.points[i];
+    const assembly::NodalPoint& point = discrete.place(i);
     const double force = solution.pressure.at(i)[k] * point.weight;
     pushed.all_forces += force;
     if (!(std::abs(gap.normal.dot(point.a3)) < sideways) ||

@@ -1,6 +1,8 @@
 #include <plastron/computation/evaluation.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/finite/modes.hpp>
+#include <plastron/obstacle/error.hpp>
 #include <plastron/zones/contact_zones.hpp>
 
 #include <fmt/format.h>
@@ -75,6 +77,20 @@ void judge_certificate(Result& result) {
           fmt::format("{}{} ({})", result.missed_limits.empty() ? "" : "; ", limit.text(), limit.reason);
   if (result.status == contact::Status::solved && !result.missed_limits.empty())
     result.status = contact::Status::inaccurate;
+}
+
+void examine_stability(Result& result, Solution& solution) {
+  result.stability.reset();
+  const bool is_solved = result.status == contact::Status::solved || result.status == contact::Status::inaccurate;
+  if (!solution.discrete->has_finite_rotations() || !is_solved) return;
+  finite::Stability found = algebra::in_agreement<obstacle::ObstacleError>(
+      solution.discrete->space().layout->comm, [&] { return finite::stability(*solution.discrete, solution.nodal); });
+  result.stability = {.margin = found.margin,
+                      .margin_without_weak_contact = found.margin_without_weak_contact,
+                      .weak_nodes = found.weak_nodes};
+  if (found.motion.layout())
+    solution.modes.push_back({.kind = Mode::Kind::softest, .value = found.margin, .shape = std::move(found.motion)});
+  if (!(found.margin > 0)) result.status = contact::Status::unstable;
 }
 
 void add_contact_zones(Result& result) {

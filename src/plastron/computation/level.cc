@@ -9,6 +9,7 @@
 #include <plastron/contact/solve.hpp>
 #include <plastron/estimation/estimate.hpp>
 #include <plastron/estimation/kept_factorisation.hpp>
+#include <plastron/finite/newton_step.hpp>
 
 namespace plastron::computation {
 
@@ -71,14 +72,9 @@ class LevelRun {
     seconds.analysis += watch.lap();
     tell("contact");
     const contact::BoxProblem& box = last_->box.emplace(assembly::box_problem(*discrete_, last_->A));
-    const contact::Observer follow{.iteration =
-                                       [&](const contact::Iteration& i) {
-                                         if (observer_.iteration) observer_.iteration(task_.number, i);
-                                       },
-                                   .stop = [&] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
     const auto guess =
         zone ? assembly::likely_activity(discrete_->coordinates, *zone) : std::vector<contact::Activity>{};
-    contact::BoxSolution z = contact::solve(box, guess, last_->kept, settings, follow);
+    contact::BoxSolution z = contact::solve(box, guess, last_->kept, settings, follow());
     if (!z.positions.empty()) press(*discrete_, z.positions);
     if (held_inside_obstacle(*discrete_)) z.status = contact::Status::infeasible;
     seconds.factorisation += F.seconds_numeric();
@@ -92,6 +88,21 @@ class LevelRun {
                              const solution::Summary& summary) const {
     return estimation::values(task_.valued, solved(z, nodal, summary));
   }
+
+  /// Makes a Newton step from the state of the shell.
+  finite::NewtonStep newton_step(const finite::StepStart& start) {
+    Stopwatch watch;
+    tell("contact");
+    contact::Settings settings = task_.settings;
+    settings.solver = nullptr;  // others need a definite matrix
+    finite::NewtonStep step = finite::newton_step(*discrete_, start, settings, follow());
+    seconds.iteration += watch.lap();
+    factorisations += step.factorisations;
+    ++linearisations;
+    history.insert(history.end(), step.box.iterations.begin(), step.box.iterations.end());
+    return step;
+  }
+  int obstacles() const { return std::max(1, static_cast<int>(discrete_->obstacles.all.size())); }
 
   /// Estimates the errors of the solution of the last solve() and of its goals.
   estimation::Estimates estimate(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
@@ -129,6 +140,14 @@ class LevelRun {
             .singular = recovery::singular_places(*discrete_, summary)};
   }
 
+  contact::Observer follow() const {
+    return {.iteration =
+                [this](const contact::Iteration& i) {
+                  if (observer_.iteration) observer_.iteration(task_.number, i);
+                },
+            .stop = [this] { return wants_to_stop(observer_, discrete_->space().layout->comm); }};
+  }
+
   const LevelTask& task_;
   std::unique_ptr<assembly::DiscreteShell> discrete_;
   std::unique_ptr<LinearAlgebra> last_{};
@@ -141,8 +160,9 @@ struct Found {
   solution::NodalSolution nodal;
 };
 
-/// Solves, and repeats the linearisation until the linearised gaps agree with the position of the shell.
-Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
+/// Solves with small rotations, and repeats the linearisation until the linearised gaps agree with the position of the
+/// shell.
+Found met_linear(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
   Relinearisation outer(task.linearisation, run.discrete());
   contact::BoxSolution z = run.solve(zone, detect_free_motions);
   solution::NodalSolution nodal = solution::nodal_solution(run.discrete(), z);
@@ -158,6 +178,42 @@ Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, boo
   run.linearisations += outer.steps();
   if (z.status == contact::Status::solved && !outer.is_met()) z.status = contact::Status::gap_not_met;
   return {std::move(z), std::move(nodal)};
+}
+
+/// Newton steps after which a shell with finite rotations counts as without equilibrium near its state.
+constexpr int most_newton_steps = 60;
+/// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
+constexpr double negligible_step = 1e-9, small_step = 1e-5;
+
+/// Solves with finite rotations, by Newton steps from the state of the shell.
+Found balanced(LevelRun& run, const algebra::Vector* zone) {
+  assembly::DiscreteShell& discrete = run.discrete();
+  solution::NodalSolution nodal =
+      solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, run.obstacles()));
+  finite::StepStart start{.prestress = finite::prestress(discrete, nodal)};
+  if (zone) start.zone = *zone;
+  finite::NewtonStep step;
+  double before = std::numeric_limits<double>::infinity();
+  for (int steps = 0; steps < most_newton_steps; ++steps) {
+    step = run.newton_step(start);
+    if (step.status() != contact::Status::solved) break;
+    linearise(discrete, finite::next_state(discrete, start, step));
+    const double displacement = solution::largest_displacement(discrete.state.displacement);
+    start = std::move(step.next);
+    const double size =
+        std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
+    const bool is_rounding = size < small_step && size > before / 2;
+    before = size;
+    if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
+    if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
+  }
+  if (start.zone.layout()) nodal = solution::nodal_solution(discrete, start.zone);
+  return {std::move(step.box), std::move(nodal)};
+}
+
+/// Solves the contact problem of the model, from the state of the shell and an expected zone; null if there is none.
+Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
+  return run.discrete().has_finite_rotations() ? balanced(run, zone) : met_linear(run, task, zone, detect_free_motions);
 }
 
 /// Solves the contact problem with other lifts of bounds, from a solution's state and contact zone.
@@ -187,7 +243,7 @@ Lifted lift_bounds(LevelRun& run, const LevelTask& task, Found& found) {
   while (found.z.status == contact::Status::solved) {
     auto lifts = loop.next(found.nodal);
     if (!lifts) break;
-    if (!lifted.energy_before) lifted.energy_before = discrete.shell.energies(found.nodal.y).total();
+    if (!lifted.energy_before) lifted.energy_before = discrete.energies(found.nodal.y).total();
     algebra::Vector before = discrete.state.lifts;
     Found next = met_with(std::move(*lifts), run, task, found.nodal);
     const bool has_room = next.z.status != contact::Status::infeasible;

@@ -1,6 +1,7 @@
 #include <plastron/computation/membership.hpp>
 
 #include <plastron/assembly/box_problem.hpp>
+#include <plastron/assembly/deformed.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
@@ -56,12 +57,21 @@ double kink_error(const fem::Space& space, const algebra::Vector& y, std::size_t
   return length_of(as_length(rest, thickness));
 }
 
+/// Returns the distance of a kinked node from the node that determines its displacement [m].
+double kink_jump(const fem::Space& space, const algebra::Vector& y, std::size_t node) {
+  const constraints::Row* row = space.kinks.find(node);
+  if (!row) return 0;
+  return (node_values(y, node) - node_values(y, static_cast<std::size_t>(row->terms.front().node))).head<3>().norm();
+}
+
 /// The largest distance of nodal values from the discrete space [m].
 double space_error(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const fem::Space& space = discrete.space();
   algebra::Vector continuous = y;
   space.continuity.apply(continuous);
+  const algebra::Vector unit =
+      discrete.has_finite_rotations() ? with_unit_directors(space, discrete.points, y) : algebra::Vector();
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(space.layout->owned); ++i) {
     const double e = discrete.points[i].thickness;
@@ -69,13 +79,15 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
     double error = 0;
     if (space.continuity.constrains(i))
       error = length_of(as_length(here - node_values(continuous, i), e));
+    else if (discrete.has_finite_rotations())
+      error = length_of(as_length(here - node_values(unit, i), e)) + kink_jump(space, y, i);
     else if (coordinates.width < 6)  // also at kinks and bodies: bases span all of u, and r tangent to the shell
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
     if (!(error <= most)) most = error;  // also for a NaN
-    most = std::max(most, kink_error(space, y, i, e));
+    if (!discrete.has_finite_rotations()) most = std::max(most, kink_error(space, y, i, e));
   }
-  for (const fem::PlacedBody& body : space.bodies) {
-    const double error = solution::distance_from_body(discrete, body, motion_of(space, body, y), y);
+  for (std::size_t k = 0; k < space.bodies.size(); ++k) {
+    const double error = solution::distance_from_body(discrete, k, y);
     if (!(error <= most)) most = error;
   }
   return algebra::max_over_ranks(most, discrete.space().layout->comm);

@@ -18,6 +18,8 @@ constexpr double small_force = 1e-3;
 constexpr int steps_if_rough = 8;
 /// Change of a number by a step, relative, above which its numbers are rough.
 constexpr double rough_change = 0.1;
+/// Size of a step that changes nothing more, see NewtonStep::is_smaller_than().
+constexpr double nothing = 1e-6;
 
 double largest_force(const solution::Summary& summary) {
   double largest = std::max(summary.loads.force.norm(), summary.support_reaction.force.norm());
@@ -63,46 +65,43 @@ double largest_change(const std::vector<ModelQuantity>& before, const std::vecto
   return largest;
 }
 
-/// Sets the values after a step.
-void set_finite_values(const finite::NewtonStep& step, const Solution& solution, std::vector<ModelQuantity>& numbers) {
+/// Sets the values after a step, whose end has this largest displacement.
+void set_finite_values(const finite::NewtonStep& step, double displacement, const Solution& solution,
+                       std::vector<ModelQuantity>& numbers) {
   std::size_t next = 0;
   numbers[next++].finite = step.energy;
   for (const Eigen::Vector3d& force : step.obstacle_forces) numbers[next++].finite = force.norm();
-  numbers[next++].finite = solution::largest_displacement(step.end.y);
+  numbers[next++].finite = displacement;
   if (next == numbers.size()) return;
   // Nodal areas in contact are coarser than areas within the boundaries of zones: their ratio is used.
   const double nodal = nodal_contact_area(solution);
   numbers[next].finite = nodal > 0 ? numbers[next].linear * step.contact_area / nodal : 0;
 }
 
-/// Whether the increment of a step changes nothing more.
-bool is_small(const finite::NewtonStep& step, const solution::Summary& summary) {
-  constexpr double nothing = 1e-6;
-  return step.largest_rotation <= nothing && step.largest_displacement <= nothing * summary.max_displacement;
-}
-
 }  // namespace
 
 ModelCheck check_model(const Solution& solution, const solution::Summary& summary, const problem::ModelSettings& model,
                        const contact::Settings& settings, const Observer& observer) {
-  const assembly::DiscreteShell& discrete = *solution.discrete;
-  const contact::Observer follow{.stop = [&] { return wants_to_stop(observer, discrete.space().layout->comm); }};
-  finite::State state = finite::state_of_linear(discrete, solution.nodal);
+  const assembly::DiscreteShell& linear = *solution.discrete;
+  const contact::Observer follow{.stop = [&] { return wants_to_stop(observer, linear.space().layout->comm); }};
+  const auto discrete = finite::with_finite_rotations(linear, solution.nodal);
+  finite::StepStart start{.prestress = finite::prestress(linear, solution.nodal), .zone = solution.nodal.touching};
   ModelCheck check;
   std::vector<ModelQuantity> numbers = linear_numbers(summary);
   for (bool is_rough = true; check.steps < model.steps || (is_rough && check.steps < steps_if_rough);) {
-    const finite::NewtonStep step = finite::newton_step(discrete, state, settings, follow);
+    finite::NewtonStep step = finite::newton_step(*discrete, start, settings, follow);
     ++check.steps;
     check.factorisations += step.factorisations;
-    check.status = step.status;
-    if (step.status != contact::Status::solved) return check;
+    check.status = step.status();
+    if (check.status != contact::Status::solved) return check;
+    linearise(*discrete, finite::next_state(*discrete, start, step));
     const std::vector<ModelQuantity> before = numbers;
-    set_finite_values(step, solution, numbers);
+    set_finite_values(step, solution::largest_displacement(discrete->state.displacement), solution, numbers);
     check.is_stable = step.shift == 0;
-    check.is_converged = is_small(step, summary) && check.is_stable;
+    check.is_converged = step.is_smaller_than(nothing, summary.max_displacement) && check.is_stable;
     if (check.is_converged) break;
     is_rough = !check.is_stable || step.is_too_long() || largest_change(before, numbers) > rough_change;
-    state = finite::next_state(discrete, state, step);
+    start = std::move(step.next);
   }
   check.quantities = std::move(numbers);
   return check;

@@ -46,10 +46,11 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     const assembly::NodalPoint& p = discrete.points[row.node];
     const Vector6 y = node_values(solution.y, row.node);
-    const obstacle::ShellPoint moved = assembly::shell_point(p.phi, p.a3, p.thickness, y);
+    const obstacle::ShellPoint moved = discrete.shell_point(p.phi, p.a3, p.thickness, y);
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
     const double distance = obstacle::true_gap(discrete.obstacles.now(k), gap, moved);
-    if (touches) error.at_contact = std::max(error.at_contact, std::abs(distance - gap(moved.u, moved.r)));
+    if (touches)
+      error.at_contact = std::max(error.at_contact, std::abs(distance - discrete.nodal_gap(k, row.node, solution.y)));
     error.depth = std::max(error.depth, -distance);
   });
   return error;

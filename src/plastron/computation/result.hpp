@@ -74,16 +74,17 @@ struct ProbeValue {
 
 /// A motion about the last solution, with contact held (finite/modes.hpp).
 struct Mode {
-  enum class Kind { buckling, vibration };
+  enum class Kind { buckling, vibration, softest };
   Kind kind = Kind::buckling;
   int number = 1;
-  /// Factor of loads and contact forces at which the shell buckles, or the square of the angular frequency [1/s^2].
+  /// Factor of loads and contact forces at which the shell buckles, the square of the angular frequency [1/s^2], or the margin of
+  /// stability with finite rotations.
   double value = 0;
   algebra::Vector shape{};  ///< (u, r); the largest |u| is 1
 
   /// Returns the frequency [Hz]; NaN for a motion that grows.
   double frequency() const;
-  /// Returns "buckling_1", "vibration_2" and so on.
+  /// Returns "buckling_1", "vibration_2" and so on, or "softest_motion".
   std::string name() const;
 };
 
@@ -98,6 +99,13 @@ struct Solution {
   std::vector<certificate::CellGap> entered{};  ///< this rank's cells with a gap below 0 in some place
 };
 
+/// Second-order conditions of an equilibrium with finite rotations (finite/modes.hpp); NaN where they are not examined.
+struct StabilityMargins {
+  double margin = std::numeric_limits<double>::quiet_NaN();
+  double margin_without_weak_contact = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t weak_nodes = 0;
+};
+
 /// The solution at the end of a step, or of a part of one.
 struct HistoryEntry {
   std::string step;  ///< name of the step
@@ -108,6 +116,7 @@ struct HistoryEntry {
   Level level;  ///< how it was computed
   solution::Summary summary;
   std::vector<ProbeValue> probes{};
+  std::optional<StabilityMargins> stability{};  ///< with finite rotations
 };
 
 /// A number of the linear solution beside the same number of the model with finite rotations.
@@ -163,14 +172,16 @@ struct Result {
   std::vector<HistoryEntry> history{};                     ///< on the finest mesh, by instant; empty without steps
   bool has_obstacle = false;
   element::Formulation formulation = element::Formulation::tangent;
+  element::Rotations rotations = element::Rotations::small;
   int ranks = 1;
   std::vector<std::string> warnings{};  ///< texts for the user
   double peak_memory = 0;               ///< memory of all ranks together [bytes]
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
   /// Estimates of the last solution's errors; empty if there is no solution or if not requested.
   std::optional<estimation::Estimates> estimates{};
-  std::vector<Mode> modes{};          ///< those of the solution, without shapes
-  std::optional<ModelCheck> model{};  ///< the worst of all that were made; empty if there is none
+  std::vector<Mode> modes{};                    ///< those of the solution, without shapes
+  std::optional<StabilityMargins> stability{};  ///< of the last solution with finite rotations
+  std::optional<ModelCheck> model{};            ///< the worst of all that were made; empty if there is none
 
   /// Data of the last solution: on the finest mesh, at the last instant.
   const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }

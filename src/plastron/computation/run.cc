@@ -21,6 +21,7 @@ Run::Run(const problem::Problem& p, MPI_Comm c, const Observer& asked)
     observer.stop = [this] { return (asked_.stop && asked_.stop()) || since_start.seconds() > end_of_meshes; };
   result.has_obstacle = !p.shell.obstacles.empty();
   result.formulation = p.shell.tangency.formulation;
+  result.rotations = p.shell.rotations;
   result.warnings = locking_warnings(p);
   MPI_Comm_size(comm, &result.ranks);
 }
@@ -100,7 +101,7 @@ void Run::take(LevelResult level) {
 }
 
 void Run::check_model(double time) {
-  if (!problem.model.check) return;
+  if (!problem.model.check || problem.shell.rotations == element::Rotations::finite) return;
   if (result.status != contact::Status::solved && result.status != contact::Status::inaccurate) return;
   Stopwatch watch;
   ModelCheck check{.status = contact::Status::infeasible};
@@ -157,6 +158,7 @@ bool Run::wants_model_check(const problem::Instant& instant) const {
 
 void Run::record(const problem::Instant& instant) {
   judge_certificate(result);
+  examine_stability(result, solution());
   if (wants_model_check(instant)) check_model(instant.time);
   recover();
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
@@ -166,7 +168,8 @@ void Run::record(const problem::Instant& instant) {
                             .missed_limits = result.missed_limits,
                             .level = latest_,
                             .summary = result.summary,
-                            .probes = result.probes});
+                            .probes = result.probes,
+                            .stability = result.stability});
   if (observer.instant) observer.instant(result.history.back(), solution());
   at = &instant;
 }
@@ -186,8 +189,12 @@ void Run::recover() {
 
 Result Run::finish() {
   if (result.solution) {
-    if (problem.steps.empty()) judge_certificate(result);
+    if (problem.steps.empty()) {
+      judge_certificate(result);
+      examine_stability(result, solution());
+    }
     warn(linear_model_warnings(result));
+    warn(stability_warnings(result));
     warn(geometry_warnings(result));
     add_contact_zones(result);
     warn(contact_warnings(result, problem.contact));

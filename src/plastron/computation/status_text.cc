@@ -12,6 +12,7 @@ namespace plastron::computation {
 double Mode::frequency() const { return std::sqrt(value) / (2 * std::numbers::pi); }
 
 std::string Mode::name() const {
+  if (kind == Kind::softest) return "softest_motion";
   return fmt::format("{}_{}", kind == Kind::buckling ? "buckling" : "vibration", number);
 }
 

@@ -56,11 +56,13 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
                                        .certificate = verdict.certificate,
                                        .levels = {measured(*found.discrete, found.nodal, verdict)},
                                        .has_obstacle = !problem.shell.obstacles.empty(),
-                                       .formulation = problem.shell.tangency.formulation}};
+                                       .formulation = problem.shell.tangency.formulation,
+                                       .rotations = problem.shell.rotations}};
   Result& result = verification.result;
   take_moments_about(problem.output.moment_point, result.summary);
   MPI_Comm_size(mesh.space->layout->comm, &result.ranks);
   judge_certificate(result);
+  examine_stability(result, found);
   verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
   choose_recovery(problem.output, found);
   result.probes = probe(found, problem.probes);
@@ -74,7 +76,8 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
                               .status = result.status,
                               .level = result.levels.back(),
                               .summary = result.summary,
-                              .probes = result.probes});
+                              .probes = result.probes,
+                              .stability = result.stability});
   }
   add_contact_zones(result);
   return verification;

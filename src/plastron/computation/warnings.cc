@@ -18,6 +18,10 @@ namespace {
 constexpr double notable_model_error = 0.05;
 /// Ratio of membrane forces to the buckling forces. Above this value, thin shells with imperfections buckle.
 constexpr double near_buckling = 0.5;
+/// Margin of stability below which an equilibrium counts as nearly critical.
+constexpr double near_critical = 0.05;
+/// Part of an obstacle's largest pressure below which contact is weak (finite/modes.hpp).
+constexpr double weak_pressure = 1e-2;
 /// Strain above which measures of strain differ by more than 1 %; metals yield at a tenth of it.
 constexpr double largest_strain = 0.02;
 /// Penetration between nodes that causes a warning, as a part of the thickness.
@@ -189,6 +193,22 @@ std::vector<std::string> linear_model_warnings(const Result& result) {
   }
   if (buckling > near_buckling) warnings.push_back(buckling_text(buckling));
   return warnings;
+}
+
+std::vector<std::string> stability_warnings(const Result& result) {
+  if (!result.stability || result.status == contact::Status::unstable) return {};
+  const StabilityMargins& s = *result.stability;
+  if (s.margin < near_critical)
+    return {fmt::format(
+        "the equilibrium is nearly critical: a motion has {:.2g} of the stiffness that the shell has without "
+        "stresses (softest_motion in solution.vtu); a little more load, or an imperfection, may make it snap",
+        s.margin)};
+  if (s.weak_nodes > 0 && !(s.margin_without_weak_contact > 0))
+    return {
+        fmt::format("weak contact holds the equilibrium: without the {} nodes whose pressure is below {:g} of the "
+                    "largest, some motion would lower the energy; a small disturbance may make the shell snap away",
+                    s.weak_nodes, weak_pressure)};
+  return {};
 }
 
 std::vector<std::string> strain_warnings(const Result& result) {

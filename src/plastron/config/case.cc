@@ -68,6 +68,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_model(root, result.problem);
   read_modes(root, result.problem);
   read_solver(root, result.problem);
+  check_rotations(root, result.problem);
   read_units(root, result.problem);
   result.wants_report = read_output(root, result.problem);
   if (reading.more_mistakes)

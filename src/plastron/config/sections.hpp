@@ -30,6 +30,8 @@ void read_shell(Table& root, problem::Problem& problem);
 void read_regions(Table& root, problem::Problem& problem);
 /// Reads gravity. Call it after all densities.
 void read_gravity(Table& root, problem::Problem& problem);
+/// Checks that finite rotations agree with the other choices of the case.
+void check_rotations(Table& root, const problem::Problem& problem);
 
 std::vector<Section> geometry_sections();
 /// Reads the domain, which Reading::domain also holds, and its charts.

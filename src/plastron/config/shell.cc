@@ -10,7 +10,7 @@ namespace plastron::config {
 namespace {
 
 using assembly::CrossSection;
-using element::Formulation, element::Tangency;
+using element::Formulation, element::Rotations, element::Tangency;
 using shell::Material;
 
 Section shell_section() {
@@ -38,6 +38,10 @@ Section shell_section() {
                {.fallback = "\"tangent\""},
                "method that keeps r . a3 = 0. tangent: two rotations at each node; penalised: a penalty; mixed: a "
                "multiplier; classical: covariant components"),
+           key("rotations", &assembly::ShellDescription::rotations,
+               {{"small", Rotations::small}, {"finite", Rotations::finite}}, {.fallback = "\"small\""},
+               "small: Naghdi's linear model. finite: strains, gaps and equilibrium are those of the deformed shell, "
+               "with directors of length 1; loads keep their directions. For the tangent formulation"),
            key("penalty", &Tangency::penalty, {.fallback = "0.1", .range = Range::positive(1)},
                "p of the penalised formulation; the penalty is E e^3 / p"),
            key("stabilisation", &Tangency::stabilisation, {.fallback = "1", .range = Range::positive()},
@@ -168,6 +172,25 @@ void read_shell(Table& root, problem::Problem& problem) {
     read_material(shell, "[shell]", section.material);
     shell.fill(section);
     shell.fill(problem.shell.tangency);
+    shell.fill(problem.shell);
+  });
+}
+
+void check_rotations(Table& root, const problem::Problem& problem) {
+  if (problem.shell.rotations == Rotations::small) return;
+  root.in_table("shell", [&](Table& shell) {
+    const Formulation formulation = problem.shell.tangency.formulation;
+    if (formulation != Formulation::tangent)
+      shell.report("rotations",
+                   fmt::format("the {} formulation has no finite rotations", element::to_string(formulation)), "",
+                   "write formulation = \"tangent\", or rotations = \"small\"");
+    if (problem.shell.obstacles.are_linear)
+      shell.report("rotations",
+                   "with finite rotations gaps are those of the deformed shell, and [contact] wants them linearised",
+                   "", "remove linearised = true, or write rotations = \"small\"");
+    if (problem.accuracy)
+      shell.report("rotations", "errors are not yet estimated with finite rotations, and [accuracy] needs estimates",
+                   "", "give a [mesh] instead, or write rotations = \"small\"");
   });
 }
 

@@ -17,6 +17,8 @@ std::span<const Status> statuses() {
                                   not_finite,
                                   interrupted,
                                   gap_not_met,
+                                  no_equilibrium,
+                                  unstable,
                                   inaccurate,
                                   accuracy_not_reached};
   static_assert(all.size() == static_cast<std::size_t>(accuracy_not_reached) + 1, "it is the last");
@@ -49,6 +51,10 @@ std::string_view to_string(Status status) {
       return "interrupted";
     case Status::gap_not_met:
       return "gap_not_met";
+    case Status::no_equilibrium:
+      return "no_equilibrium";
+    case Status::unstable:
+      return "unstable";
     case Status::accuracy_not_reached:
       return "accuracy_not_reached";
   }
@@ -92,6 +98,13 @@ std::string_view explain(Status status) {
       return "The gaps of curved obstacles, linearised where the shell was found, did not come to rest; use a smaller "
              "load or a finer "
              "mesh, or write linearised = true for the gaps of the undeformed shell.";
+    case Status::no_equilibrium:
+      return "With finite rotations no equilibrium was found near the state from which the steps started: loads or "
+             "obstacles move the structure too far at once, or it can carry no more; let them come in by [[step]]s of "
+             "more parts.";
+    case Status::unstable:
+      return "An equilibrium was found, but it is not stable: some motion lowers the energy, and the structure would "
+             "snap away from it; use a smaller load, or let obstacles press it instead of loads.";
     case Status::accuracy_not_reached:
       return "The contact problem was solved, but not as accurately as was asked for: the best mesh that the limits of "
              "unknowns and "

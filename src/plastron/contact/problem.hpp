@@ -63,7 +63,10 @@ enum class Status {
   linear_solver_stalled,  ///< the preconditioned iteration missed its tolerance by a large factor
   not_finite,             ///< numbers overflowed or are NaN
   interrupted,            ///< the caller requested a stop
-  gap_not_met,  ///< solved, but the bounds were linearised at another point; set by the caller that linearises
+  gap_not_met,     ///< solved, but the bounds were linearised at another point; set by the caller that linearises
+  no_equilibrium,  ///< finite rotations: the Newton steps did not come to rest; set by the caller that makes them
+  /// Solved, but a motion on the touching face lowers the energy; set by the caller that examines it.
+  unstable,
   /// Solved, but a quantity that was recomputed independently misses its limit; set by the caller that recomputes.
   inaccurate,
   /// Solved, but the estimated errors are above the requested limit; set by the caller that estimates.

@@ -25,6 +25,9 @@ constexpr std::string_view to_string(Formulation formulation) {
   return "classical";
 }
 
+/// The strains: linear in (u, r), or those of finite rotations (M23-M27).
+enum class Rotations { small, finite };
+
 /// Whether r . a_3 is a separate unknown.
 constexpr bool is_relaxed(Formulation formulation) {
   return formulation == Formulation::penalised || formulation == Formulation::mixed;

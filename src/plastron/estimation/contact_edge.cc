@@ -83,7 +83,7 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
     const auto row = static_cast<Eigen::Index>(p);
     const Eigen::Vector3d& a3 = frames[p].a3;
     const obstacle::Gap gap =
-        discrete.gap(obstacle, assembly::shell_point(frames[p].phi, a3, e[p], moved.row(row).transpose()));
+        discrete.gap(obstacle, discrete.shell_point(frames[p].phi, a3, e[p], moved.row(row).transpose()));
     result.emplace_back(gap.initial + opening(gap, u.row(row), a3), gap);
   }
   return result;
@@ -299,8 +299,8 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
   for (int q = 0; q < u.rows(); ++q) {
     const assembly::QuadraturePoint& p = shell.point(cell, q);
     const obstacle::Gap gap =
-        discrete.gap(obstacle, assembly::shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3, p.thickness,
-                                                     moved.row(q).transpose()));
+        discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3, p.thickness,
+                                                    moved.row(q).transpose()));
     const auto opened = [&](const element::CellField& field) { return opening(gap, field.row(q), p.frame.a3); };
     penetration += p.area * density(q, 0) * (gap.initial + opened(u));
     reach += p.area * density(q, 1) * (opened(dual) - derivative.held_at(obstacle, gap));

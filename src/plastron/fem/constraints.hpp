@@ -45,10 +45,13 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
                                                const std::vector<RigidBody>& bodies);
 
 /// Returns the space for small motions about a deformed state, in which kinks and rigid bodies have turned (collective).
-/// `normals`, `directors`: unit vectors of local nodes before and now. `turns`: the rotation of each body. The prescribed
-/// components of bodies are 0, those of increments.
+/// `normals`, `directors`: unit vectors of local nodes before and now. `places`: those of the bodies, whose prescribed
+/// components become what remains to be moved.
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Eigen::Vector3d> normals,
-                                    std::span<const Eigen::Vector3d> directors, std::span<const Eigen::Matrix3d> turns);
+                                    std::span<const Eigen::Vector3d> directors, std::span<const BodyPlace> places);
+
+/// Returns axis times angle of a rotation [rad].
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& turn);
 
 /// d [m] and theta [rad].
 struct BodyMotion {

@@ -263,18 +263,26 @@ Matrix3d rotation_of(const std::array<Vector3d, 2>& before, const std::array<Vec
   return Eigen::Quaterniond::FromTwoVectors(before[0], now[0]).toRotationMatrix();
 }
 
-PlacedBody turned_body(PlacedBody placed, const Matrix3d& turn) {
+PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
   placed.gram.setZero();
-  for (BodyNode& member : placed.members) member.motion = turned_block(turn, member.motion);
-  for (auto& component : placed.body.fixed)
-    if (component) component = 0;
+  for (BodyNode& member : placed.members) member.motion = turned_block(place.turn, member.motion);
+  const Vector3d rotation = rotation_vector(place.turn);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (auto& way = placed.body.fixed[k]) *way -= place.displacement[static_cast<Eigen::Index>(k)];
+    if (auto& angle = placed.body.fixed[k + 3]) *angle -= rotation[static_cast<Eigen::Index>(k)];
+  }
   return placed;
 }
 
 }  // namespace
 
+Vector3d rotation_vector(const Matrix3d& turn) {
+  const Eigen::AngleAxisd rotation(turn);
+  return rotation.angle() * rotation.axis();
+}
+
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Vector3d> normals,
-                                    std::span<const Vector3d> directors, std::span<const Matrix3d> turns) {
+                                    std::span<const Vector3d> directors, std::span<const BodyPlace> places) {
   if (space->bodies.empty() && space->kinks.is_identity()) return space;
   const MPI_Comm comm = space->layout->comm;
   auto result = std::make_shared<Space>(*space);
@@ -292,7 +300,7 @@ std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, s
     rows.push_back(std::move(row));
   }
   for (std::size_t k = 0; k < result->bodies.size(); ++k) {
-    result->bodies[k] = turned_body(result->bodies[k], turns[k]);
+    result->bodies[k] = turned_body(result->bodies[k], places[k]);
     Matrix6& gram = result->bodies[k].gram;
     for (const auto& [node, w] : result->bodies[k].members)
       if (node < space->layout->owned) gram += w.transpose() * weighted(w, result->bodies[k].length);

@@ -26,6 +26,12 @@ struct RigidBody {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< moment about the reference point [N m]
 };
 
+/// The place to which a body has moved: q = reference + displacement + turn (p - reference).
+struct BodyPlace {
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+};
+
 /// A node of a body.
 struct BodyNode {
   algebra::LocalIndex node = 0;

@@ -2,11 +2,13 @@
 
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/finite/newton_step.hpp>
 #include <plastron/finite/scalar_blocks.hpp>
+#include <plastron/finite/tangent.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 namespace plastron::finite {
 
@@ -21,13 +23,17 @@ struct SmallMotions {
   std::vector<char> fixed;
 };
 
+/// Returns the coordinates of the shell without a relaxed formulation.
+NodalCoordinates tangent_coordinates(const assembly::DiscreteShell& discrete) {
+  if (discrete.has_finite_rotations()) return discrete.coordinates;
+  return nodal_coordinates(
+      discrete.shell.space_pointer(), discrete.points,
+      node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports), discrete.obstacles,
+      element::Formulation::tangent, discrete.state);
+}
+
 SmallMotions small_motions(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
-  SmallMotions motions{
-      .coordinates = nodal_coordinates(
-          discrete.shell.space_pointer(), discrete.points,
-          node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports),
-          discrete.obstacles, element::Formulation::tangent, discrete.state),
-      .fixed = {}};
+  SmallMotions motions{.coordinates = tangent_coordinates(discrete), .fixed = {}};
   motions.fixed = motions.coordinates.prescribed();
   const auto activity = assembly::likely_activity(motions.coordinates, solution.touching);
   for (std::size_t i = 0; i < activity.size(); ++i)
@@ -85,50 +91,119 @@ bool is_negligible(const algebra::Matrix& geometric, const algebra::Matrix& stif
   return !(size(geometric) > rounding * size(stiffness));
 }
 
+/// Returns the largest nu of -K_G v = nu K_M v, descending; no result if K_M is not definite.
+std::optional<algebra::Eigenpairs> largest_destabilisations(const algebra::Matrix& stiffness,
+                                                            const algebra::Matrix& geometric,
+                                                            std::span<const char> fixed,
+                                                            const algebra::EigenSettings& settings) {
+  if (is_negligible(geometric, stiffness)) return algebra::Eigenpairs{.converged = true};
+  algebra::Factorisation factor(stiffness);
+  if (!factor.factorise(fixed)) return {};
+  const auto apply = [&](const Vector& x, Vector& y) {
+    Vector force(x.layout(), x.block());
+    geometric.multiply(x, force);
+    for (std::size_t i = 0; i < fixed.size(); ++i) force.owned()[i] = fixed[i] ? 0 : -force.owned()[i];
+    factor.solve(force, y);
+  };
+  const auto inner = [&](const Vector& x, Vector& y) { stiffness.multiply(x, y); };
+  return algebra::eigenpairs({.layout = stiffness.layout(),
+                              .block = stiffness.block(),
+                              .apply = apply,
+                              .inner_product = inner,
+                              .fixed = fixed},
+                             algebra::End::largest, settings);
+}
+
+/// Adds the curvature of obstacles at touching nodes, -eta w (v + z s)' H (v + z s), H the Hessian of the distance. Edges that
+/// are sharper than half the thickness count as rounded by it.
+void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                                algebra::Matrix& matrix) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  const auto width = static_cast<Eigen::Index>(coordinates.width);
+  for (const assembly::ContactRow& row : coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    if (!row.binds || solution.touching.at(row.node)[k] == 0) continue;
+    const obstacle::Gap& gap = coordinates.gaps[k][row.node];
+    Eigen::Matrix3d curvature = discrete.obstacles.now(k).nearest(gap.contact_point).curvature;
+    const double sharpest = 2 / discrete.points[row.node].thickness, sharpness = curvature.norm();
+    if (!(sharpness <= sharpest)) curvature *= sharpest / sharpness;
+    const assembly::RowMatrix basis = coordinates.basis[row.node].leftCols(width);
+    const assembly::RowMatrix face = basis.topRows<3>() + gap.arm * basis.bottomRows<3>();
+    const double force = solution.pressure.at(row.node)[k] * discrete.points[row.node].weight;
+    const assembly::RowMatrix block = -force * face.transpose() * curvature * face;
+    const auto node = static_cast<algebra::LocalIndex>(row.node);
+    matrix.add({&node, 1}, {block.data(), static_cast<std::size_t>(block.size())});
+  }
+}
+
+/// Releases the coordinates of nodes whose eta is below weak_part of its obstacle's largest. Returns their number (collective).
+std::int64_t release_weak_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                                  std::vector<char>& fixed) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  const MPI_Comm comm = discrete.space().layout->comm;
+  std::vector<double> largest(coordinates.gaps.size(), 0);
+  for (const assembly::ContactRow& row : coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    largest[k] = std::max(largest[k], solution.pressure.at(row.node)[k]);
+  }
+  for (double& pressure : largest) pressure = algebra::max_over_ranks(pressure, comm);
+  std::int64_t weak = 0;
+  for (const assembly::ContactRow& row : coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    if (!row.binds || solution.touching.at(row.node)[k] == 0 ||
+        solution.pressure.at(row.node)[k] > Stability::weak_part * largest[k])
+      continue;
+    fixed[coordinates.at(row.node, row.coordinate)] = 0;
+    ++weak;
+  }
+  return algebra::sum_over_ranks(weak, comm);
+}
+
 }  // namespace
 
 Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
   const SmallMotions motions = small_motions(discrete, solution);
-  const algebra::Matrix stiffness = assembly::matrix_of_cells(discrete.space(), motions.coordinates.width,
-                                                              [&](std::size_t c) {
-                                                                return assembly::material_stiffness(
-                                                                    discrete.shell, motions.coordinates, c,
-                                                                    discrete.shell.geometry(c));
-                                                              }),
-                        geometric = geometric_matrix(discrete, prestress_of_linear(discrete, solution), discrete.points,
-                                                     motions.coordinates);
-  if (is_negligible(geometric, stiffness)) return {.has_solution = true};
-  algebra::Factorisation factor(stiffness);
-  if (!factor.factorise(motions.fixed)) return {};
-  const auto apply = [&](const Vector& x, Vector& y) {
-    Vector force(x.layout(), x.block());
-    geometric.multiply(x, force);
-    for (std::size_t i = 0; i < motions.fixed.size(); ++i) force.owned()[i] = motions.fixed[i] ? 0 : -force.owned()[i];
-    factor.solve(force, y);
-  };
-  const auto inner = [&](const Vector& x, Vector& y) { stiffness.multiply(x, y); };
+  const algebra::Matrix stiffness = material_matrix(discrete, motions.coordinates),
+                        geometric = geometric_matrix(discrete, prestress(discrete, solution), motions.coordinates);
   constexpr int most_restarts = 100;  // without compression the reciprocals of all factors crowd below 0
-  const algebra::Eigenpairs pairs =
-      algebra::eigenpairs({.layout = discrete.space().layout,
-                           .block = motions.coordinates.width,
-                           .apply = apply,
-                           .inner_product = inner,
-                           .fixed = motions.fixed},
-                          algebra::End::largest, {.count = count, .max_restarts = most_restarts});
+  const auto pairs =
+      largest_destabilisations(stiffness, geometric, motions.fixed, {.count = count, .max_restarts = most_restarts});
+  if (!pairs) return {};
   constexpr double never = 1e-9;  // reciprocals of factors, relative to the largest, that are rounding
-  Modes modes{.has_solution = pairs.converged};
-  for (std::size_t i = 0; i < pairs.values.size(); ++i) {
-    if (!(pairs.values[i] > 0 && pairs.values[i] > never * pairs.values[0])) break;
-    modes.values.push_back(1 / pairs.values[i]);
-    modes.shapes.push_back(shape_of(motions.coordinates, pairs.vectors[i]));
+  Modes modes{.has_solution = pairs->converged};
+  for (std::size_t i = 0; i < pairs->values.size(); ++i) {
+    if (!(pairs->values[i] > 0 && pairs->values[i] > never * pairs->values[0])) break;
+    modes.values.push_back(1 / pairs->values[i]);
+    modes.shapes.push_back(shape_of(motions.coordinates, pairs->vectors[i]));
   }
   return modes;
 }
 
+Stability stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  SmallMotions motions = small_motions(discrete, solution);
+  const algebra::Matrix stiffness = material_matrix(discrete, motions.coordinates);
+  algebra::Matrix geometric = geometric_matrix(discrete, prestress(discrete, solution), motions.coordinates);
+  add_curvature_of_obstacles(discrete, solution, geometric);
+  geometric.finish();
+  constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-6, .max_restarts = 100};
+  const auto margin = [](const std::optional<algebra::Eigenpairs>& pairs) {
+    if (!pairs) return std::numeric_limits<double>::quiet_NaN();
+    return pairs->values.empty() ? 1 : 1 - std::max(pairs->values[0], 0.0);
+  };
+  Stability result;
+  const auto held = largest_destabilisations(stiffness, geometric, motions.fixed, settings);
+  result.margin = result.margin_without_weak_contact = margin(held);
+  if (result.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);
+  result.weak_nodes = release_weak_contact(discrete, solution, motions.fixed);
+  if (result.weak_nodes > 0)
+    result.margin_without_weak_contact =
+        margin(largest_destabilisations(stiffness, geometric, motions.fixed, settings));
+  return result;
+}
+
 Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
   const SmallMotions motions = small_motions(discrete, solution);
-  const algebra::Matrix stiffness = tangent_matrix(discrete, prestress_of_linear(discrete, solution), discrete.points,
-                                                   motions.coordinates),
+  const algebra::Matrix stiffness = tangent_matrix(discrete, prestress(discrete, solution), motions.coordinates),
                         mass = mass_matrix(discrete, motions.coordinates);
   // A shift makes the stiffness of free motions and of unstable solutions positive. The largest ratio of the diagonals is
   // near the largest square of a frequency.

@@ -1,9 +1,10 @@
-// Buckling loads and natural frequencies about a solution of the linear model, with the nodes in contact held on their
-// obstacles: small motions v with n . (v + z s) = 0 there. K_0 is the linear stiffness, K_G the geometric stiffness of the
-// solution's stresses and contact forces (tangent.hpp), M the mass.
+// Small motions about a solution, with the nodes in contact held on their obstacles: n . (v + z s) = 0 there. Buckling loads,
+// natural frequencies, and whether an equilibrium with finite rotations is stable. K_M is the stiffness of the material at the
+// state, K_G the geometric stiffness of the solution's stresses and contact forces (tangent.hpp), M the mass.
 #pragma once
 #include <plastron/solution/nodal_solution.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace plastron::finite {
@@ -15,11 +16,28 @@ struct Modes {
 };
 
 /// Returns the smallest positive factors of all loads and prescribed displacements at which the shell buckles,
-/// (K_0 + factor K_G) v = 0, ascending: at most `count`. Without a solution if a motion is free (collective).
+/// (K_M + factor K_G) v = 0, ascending: at most `count`. Without a solution if a motion is free (collective).
 Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count);
 
-/// Returns the smallest squares of angular frequencies [1/s^2], (K_0 + K_G) v = omega^2 M v, ascending. Free motions have
+/// Returns the smallest squares of angular frequencies [1/s^2], (K_M + K_G) v = omega^2 M v, ascending. Free motions have
 /// 0; negative ones grow: the solution is not stable. Precondition: some density (collective).
 Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count);
+
+/// Second-order conditions at an equilibrium with finite rotations.
+struct Stability {
+  /// Smallest theta of (K_M + K_G) v = theta K_M v, with the curvature of obstacles: 1 without stresses, 0 at a critical state,
+  /// negative where a motion lowers the energy; NaN if K_M is not definite, so that a motion costs nothing.
+  double margin = std::numeric_limits<double>::quiet_NaN();
+  algebra::Vector motion{};  ///< (u, r) of v, the largest |u| is 1; without layout where the margin is 1 or NaN
+  /// The same if nodes may leave their obstacle whose eta is below weak_part of its largest. Where such nodes alone keep a
+  /// shell in place, a small disturbance can make it snap. Equal to the margin without such nodes.
+  double margin_without_weak_contact = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t weak_nodes = 0;  ///< number of these nodes
+
+  static constexpr double weak_part = 1e-2;
+};
+
+/// Examines a solution at the state of its shell (collective). Throws ObstacleError.
+Stability stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 }  // namespace plastron::finite

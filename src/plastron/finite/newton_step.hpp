@@ -1,45 +1,57 @@
-// One Newton step of the shell with finite rotations in contact: a box problem in increments of (u, r), solved to its end.
+// One Newton step of a shell with finite rotations in contact: a box problem in increments of (u, r), solved to its end.
 #pragma once
 #include <plastron/contact/settings.hpp>
 #include <plastron/finite/tangent.hpp>
-#include <plastron/solution/nodal_solution.hpp>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace plastron::finite {
 
-/// Result of a step from a state.
+/// What a step needs beside the shell, linearised at its state.
+struct StepStart {
+  Prestress prestress{};
+  algebra::Vector zone{};  ///< a value for each node and obstacle, above one half where contact is likely
+};
+
+/// Result of a step.
 struct NewtonStep {
-  contact::Status status = contact::Status::solved;
+  contact::BoxSolution box{};  ///< the increment in the coordinates of the shell, and its status
   int factorisations = 0;
   /// Part of its diagonal that was added to the tangent stiffness, because a motion has no positive stiffness; else 0.
   double shift = 0;
-  double largest_rotation = 0;                     ///< largest |s| of the increment [rad]
-  double largest_displacement = 0;                 ///< largest |v| of the increment [m]
-  State end{};                                     ///< state after the increment: directors not yet of length 1
-  double energy = 0;                               ///< W (M27) of the linearised strains [J]
+  double largest_rotation = 0;      ///< largest |s| of the increment [rad]
+  double largest_displacement = 0;  ///< largest |v| of the increment [m]
+  algebra::Vector increment{};      ///< (v, s), block 6
+  StepStart next{};                 ///< start of the step from the end of this one
+  /// Energy (M27) of the linearised strains, without the constant of initial strains [J].
+  double energy = 0;
   std::vector<Eigen::Vector3d> obstacle_forces{};  ///< forces on the shell [N]
   double contact_area = 0;                         ///< sum of the nodal areas in contact [m^2]
 
   /// Rotations above this limit are shortened, because longer steps can diverge [rad].
   static constexpr double longest_rotation = 0.5;
   bool is_too_long() const { return largest_rotation > longest_rotation; }
+  /// Whether rotations are below `part` and displacements below `part` of `displacement`.
+  bool is_smaller_than(double part, double displacement) const {
+    return largest_rotation <= part && largest_displacement <= part * displacement;
+  }
+  contact::Status status() const { return box.status; }
 };
 
-/// Returns the stresses of a linear solution and the couples of its contact forces, on the undeformed shell (collective).
-State prestress_of_linear(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
+/// Returns the same shell with finite rotations, at the state that a linear solution suggests: its displacements with
+/// directors of length 1 (collective). Throws SupportError, ObstacleError.
+std::unique_ptr<assembly::DiscreteShell> with_finite_rotations(const assembly::DiscreteShell& discrete,
+                                                               const solution::NodalSolution& solution);
 
-/// Returns the state that a linear solution suggests for the first step with mixed integration points: its
-/// displacements with directors of length 1, its stresses, its contact forces (collective).
-State state_of_linear(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
+/// Makes the step: gaps (M28), equilibrium (M29) and stiffness (M30) are linearised at the state of the shell. Where the
+/// tangent stiffness is not definite, shifts are tried until the problem has a solution; a shifted step is shorter
+/// (collective). Precondition: finite rotations.
+NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart& start,
+                       const contact::Settings& settings, const contact::Observer& observer = {});
 
-/// Makes the step: gaps (M28), equilibrium (M29) and stiffness (M30) are linearised at the state. Where the tangent stiffness is
-/// not definite, shifts are tried until the problem has a solution; a shifted step is shorter (collective). Throws
-/// SupportError, ObstacleError.
-NewtonStep newton_step(const assembly::DiscreteShell& discrete, const State& state, const contact::Settings& settings,
-                       const contact::Observer& observer = {});
-
-/// Returns the state after a step, which is shortened if it is too long.
-State next_state(const assembly::DiscreteShell& discrete, const State& state, const NewtonStep& step);
+/// Returns the state after a step, which is shortened if it is too long. `next.prestress` is shortened alike (collective).
+assembly::State next_state(const assembly::DiscreteShell& discrete, const StepStart& start, NewtonStep& step);
 
 }  // namespace plastron::finite

@@ -30,64 +30,56 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
 }
 
 /// Adds the curvature of the spheres of directors: -(f_i . d_i) s_i . t_i, f_i the couple of all forces on r.
-void add_curvature_of_spheres(const algebra::Vector& forces, const State& state,
-                              const std::vector<assembly::NodalPoint>& points,
-                              const assembly::NodalCoordinates& coordinates, algebra::Matrix& matrix) {
+void add_curvature_of_spheres(const assembly::DiscreteShell& discrete, const algebra::Vector& forces,
+                              const Prestress& prestress, const assembly::NodalCoordinates& coordinates,
+                              algebra::Matrix& matrix) {
   const auto width = static_cast<Eigen::Index>(coordinates.width);
   for (std::size_t i = 0; i < static_cast<std::size_t>(forces.layout()->owned); ++i) {
     if (coordinates.space->constraints.constrains(i)) continue;
     const Vector3d couple = assembly::node_values(forces, i).tail<3>();
     const RowMatrix turn = coordinates.basis[i].bottomRows<3>().leftCols(width);
-    const RowMatrix k = (state.contact_couples[i] - couple.dot(points[i].a3)) * turn.transpose() * turn;
+    const RowMatrix k = (prestress.contact_couples[i] - couple.dot(discrete.place(i).a3)) * turn.transpose() * turn;
     const auto node = static_cast<algebra::LocalIndex>(i);
     matrix.add({&node, 1}, {k.data(), static_cast<std::size_t>(k.size())});
   }
 }
 
+/// Returns (u, r) at which strains are linearised.
+algebra::Vector linearised_at(const assembly::DiscreteShell& discrete) {
+  return discrete.has_finite_rotations() && discrete.state.is_deformed() ? discrete.state.displacement
+                                                                         : algebra::Vector(discrete.space().layout, 6);
+}
+
+/// Adds the curvature of the spheres to the stiffness of the cells, `of_cell`.
+template <class OfCell>
+algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
+                               const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
+  algebra::Matrix matrix = assembly::matrix_of_cells(discrete.space(), coordinates.width, of_cell);
+  algebra::Vector forces =
+      forces_of_stresses(discrete.shell, linearised_at(discrete), [&](std::size_t c) { return prestress.stresses[c]; });
+  algebra::axpy(-1, discrete.load, forces);
+  if (!discrete.has_finite_rotations())
+    algebra::axpy(discrete.state.load_factor, assembly::initial_forces(discrete.shell), forces);
+  coordinates.space->constraints.apply_transposed(forces);
+  add_curvature_of_spheres(discrete, forces, prestress, coordinates, matrix);
+  matrix.finish();
+  return matrix;
+}
+
 }  // namespace
 
-algebra::Vector with_unit_directors(const assembly::DiscreteShell& discrete, algebra::Vector y,
-                                    const std::vector<BodyPlace>& bodies) {
-  for (std::size_t i = 0; i < discrete.points.size(); ++i) {
-    const Vector3d& a3 = discrete.points[i].a3;
-    Eigen::Map<Vector3d> r(y.at(i).data() + 3);
-    r = (a3 + r).normalized() - a3;
+Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  Prestress result;
+  for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
+    result.stresses.push_back(discrete.stresses(c, discrete.strains(c, solution.y)));
+  result.contact_couples.assign(static_cast<std::size_t>(discrete.space().layout->owned), 0);
+  for (const assembly::ContactRow& row : discrete.coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
+    result.contact_couples[row.node] += solution.pressure.at(row.node)[k] * discrete.points[row.node].weight * gap.arm *
+                                        gap.normal.dot(discrete.place(row.node).a3);
   }
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const fem::PlacedBody& placed = discrete.space().bodies[k];
-    const Eigen::Matrix3d change = bodies[k].turn - Eigen::Matrix3d::Identity();
-    for (const auto& [node, motion] : placed.members) {
-      const assembly::NodalPoint& point = discrete.points[static_cast<std::size_t>(node)];
-      double* values = y.at(static_cast<std::size_t>(node)).data();
-      Eigen::Map<Vector3d>{values} = bodies[k].displacement + change * (point.phi - placed.body.reference);
-      if (placed.body.turns_normals) Eigen::Map<Vector3d>{values + 3} = change * point.a3;
-    }
-  }
-  discrete.space().continuity.apply(y);
-  return y;
-}
-
-std::vector<assembly::NodalPoint> moved_points(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
-  std::vector<assembly::NodalPoint> points = discrete.points;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const assembly::Vector6 moved = assembly::node_values(y, i);
-    points[i].phi += moved.head<3>();
-    points[i].a3 = (points[i].a3 + moved.tail<3>()).normalized();
-  }
-  return points;
-}
-
-CellStrain stresses_of(const assembly::DiscreteShell& discrete, std::size_t cell, const CellStrain& strains) {
-  CellStrain stresses = discrete.shell.weighted_stresses(cell, strains);
-  if (const auto initial = discrete.shell.weighted_initial_stresses(cell))
-    stresses -= discrete.state.load_factor * *initial;
-  return stresses;
-}
-
-algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
-  return unbalanced_forces(discrete, y, [&](std::size_t c) {
-    return stresses_of(discrete, c, discrete.shell.finite_strains(c, discrete.shell.gather(c, y)));
-  });
+  return result;
 }
 
 element::CellField geometric_forces(const ShellOperator& shell, const CellStrain& stresses,
@@ -99,39 +91,30 @@ element::CellField geometric_forces(const ShellOperator& shell, const CellStrain
   return forces;
 }
 
-namespace {
-
-/// Adds the curvature of the spheres to the stiffness of the cells, `of_cell`.
-template <class OfCell>
-algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const State& state,
-                               const std::vector<assembly::NodalPoint>& points,
-                               const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
-  algebra::Matrix matrix = assembly::matrix_of_cells(discrete.space(), coordinates.width, of_cell);
-  algebra::Vector forces = unbalanced_forces(discrete, state.y, [&](std::size_t c) { return state.stresses[c]; });
-  coordinates.space->constraints.apply_transposed(forces);
-  add_curvature_of_spheres(forces, state, points, coordinates, matrix);
-  matrix.finish();
-  return matrix;
-}
-
-}  // namespace
-
-algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const State& state,
-                                 const std::vector<assembly::NodalPoint>& points,
-                                 const assembly::NodalCoordinates& coordinates) {
-  return with_curvature(discrete, state, points, coordinates, [&](std::size_t c) {
-    return in_coordinates(coordinates, c, geometric_stiffness(discrete.shell, state.stresses[c]));
+algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
+                                const assembly::NodalCoordinates& coordinates) {
+  const ShellOperator& shell = discrete.shell;
+  const algebra::Vector y = linearised_at(discrete);
+  return assembly::matrix_of_cells(discrete.space(), coordinates.width, [&](std::size_t c) {
+    return assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, y)));
   });
 }
 
-algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const State& state,
-                               const std::vector<assembly::NodalPoint>& points,
+algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
+                                 const assembly::NodalCoordinates& coordinates) {
+  return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
+    return in_coordinates(coordinates, c, geometric_stiffness(discrete.shell, prestress.stresses[c]));
+  });
+}
+
+algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates) {
   const ShellOperator& shell = discrete.shell;
-  return with_curvature(discrete, state, points, coordinates, [&](std::size_t c) {
+  const algebra::Vector y = linearised_at(discrete);
+  return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
     constraints::NodeColumns k =
-        assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, state.y)));
-    k.matrix += in_coordinates(coordinates, c, geometric_stiffness(shell, state.stresses[c])).matrix;
+        assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, y)));
+    k.matrix += in_coordinates(coordinates, c, geometric_stiffness(shell, prestress.stresses[c])).matrix;
     return k;
   });
 }

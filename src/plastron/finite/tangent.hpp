@@ -7,6 +7,7 @@
 // G. Garcea: Computer Methods in Applied Mechanics and Engineering 313 (2017) 654-674).
 #pragma once
 #include <plastron/assembly/box_problem.hpp>
+#include <plastron/solution/nodal_solution.hpp>
 
 #include <vector>
 
@@ -14,69 +15,31 @@ namespace plastron::finite {
 
 using assembly::CellStrain;
 
-/// A rigid body after a rotation about its reference point and a displacement of it [m].
-struct BodyPlace {
-  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+/// What a step with mixed integration points takes from the step before.
+struct Prestress {
+  std::vector<CellStrain> stresses{};     ///< N, M, Q times area at the quadrature points of owned cells
+  std::vector<double> contact_couples{};  ///< couples of contact forces along the directors of owned nodes [N m]
 };
 
-struct State {
-  algebra::Vector y{};                 ///< (u, r), block 6, with current ghosts
-  std::vector<CellStrain> stresses{};  ///< N, M, Q times area at the quadrature points of owned cells
-  /// Couples of contact forces along the directors of owned nodes [N m].
-  std::vector<double> contact_couples{};
-  std::vector<BodyPlace> bodies{};  ///< places of the rigid bodies
-  algebra::Vector touching{};       ///< 1 where a node touches an obstacle, as in solution::NodalSolution
-  std::vector<double> positions{};  ///< distances by which forces have moved the obstacles since the start [m]
-};
-
-/// Returns (u, r) with directors of length 1 at all nodes except hanging ones, which are interpolated. Rigid bodies take
-/// their nodes to their places.
-algebra::Vector with_unit_directors(const assembly::DiscreteShell& discrete, algebra::Vector y,
-                                    const std::vector<BodyPlace>& bodies = {});
-
-/// Returns the nodal points in their deformed places, with directors as normals. Weights are those of the reference.
-std::vector<assembly::NodalPoint> moved_points(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
-
-/// Returns the stresses of strains at quadrature points, less those of initial strains.
-CellStrain stresses_of(const assembly::DiscreteShell& discrete, std::size_t cell, const CellStrain& strains);
-
-/// Returns the forces of stresses at a state less the loads, B(y)' S - l, on owned nodes. Forces at constrained nodes have not
-/// yet been moved to others. `stresses_at(cell)`: stresses at the cell's quadrature points, times area (collective).
-template <class StressesAt>
-algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
-                                  const StressesAt& stresses_at) {
-  const assembly::ShellOperator& shell = discrete.shell;
-  algebra::Vector f(shell.space().layout, 6);
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    shell.scatter(c, shell.forces(c, stresses_at(c), shell.geometry(c, shell.gather(c, y))), f);
-    // The loads contain the forces of initial stresses on the reference (load_vector.hpp).
-    if (const auto initial = shell.weighted_initial_stresses(c))
-      shell.scatter(c, shell.forces(c, discrete.state.load_factor * *initial), f);
-  }
-  f.accumulate_ghosts();
-  algebra::axpy(-1, discrete.load, f);
-  return f;
-}
-
-/// Returns the forces with the true stresses of the state, which vanish in equilibrium on free coordinates (M29)
-/// (collective).
-algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const algebra::Vector& y);
+/// Returns the stresses of a solution and the couples of its contact forces.
+Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Applies the geometric stiffness of stresses to (u, r) of a cell's nodes:
 /// int N^{ab} v_a . w_b + M^{ab} (v_a . t_b + w_a . s_b) + Q^a (v_a . t + w_a . s), tied like the strains.
 element::CellField geometric_forces(const assembly::ShellOperator& shell, const CellStrain& stresses,
                                     const element::CellField& field);
 
-/// Returns the part of tangent_matrix() that the stresses of the state cause (collective).
-algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const State& state,
-                                 const std::vector<assembly::NodalPoint>& points,
+/// Returns the part of tangent_matrix() that the material causes, the linear stiffness where the shell is undeformed
+/// (collective).
+algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete, const assembly::NodalCoordinates& coordinates);
+
+/// Returns the part of tangent_matrix() that the prestress causes (collective).
+algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                  const assembly::NodalCoordinates& coordinates);
 
-/// Returns the tangent stiffness (M30) at a state, without the curvature of obstacles, in coordinates on moved_points()
-/// (collective).
-algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const State& state,
-                               const std::vector<assembly::NodalPoint>& points,
+/// Returns the tangent stiffness (M30) at the state of the shell, or of its reference with small rotations, without the
+/// curvature of obstacles (collective).
+algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates);
 
 }  // namespace plastron::finite

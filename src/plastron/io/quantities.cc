@@ -31,6 +31,9 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return Json(computation::status_text(r)); }, Form::text},
       {"formulation", "-", "method that imposes r . a_3 = 0 (shell.formulation)",
        [](const Result& r) { return Json(element::to_string(r.formulation)); }, Form::text},
+      {"rotations", "-", "small: the linear model; finite: finite rotations (shell.rotations)",
+       [](const Result& r) { return Json(r.rotations == element::Rotations::finite ? "finite" : "small"); },
+       Form::text},
       {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
       {"energy_parts/membrane", "J", "membrane part of the energy",
        [](const Result& r) { return number(r.summary.energy.membrane); }},
@@ -57,7 +60,8 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_displacement); }},
       {"size/max_relative_displacement", "1", "largest |u| / e at a node",
        [](const Result& r) { return number(r.summary.max_relative_displacement); }},
-      {"size/max_rotation", "rad", "largest |r| at a node; the linear model requires a small value",
+      {"size/max_rotation", "rad",
+       "largest |r| at a node; with finite rotations the largest angle between normal and director",
        [](const Result& r) { return number(r.summary.max_rotation); }},
       {"linearity/status", "-",
        "comparison with the model of finite rotations: solved; unstable, if the shell buckles or snaps through near "
@@ -89,6 +93,18 @@ std::span<const Quantity<Result>> result_quantities() {
        "largest absolute value of a principal strain at the faces; a warning from 0.02 on; most metals yield at 0.001 "
        "to 0.005",
        [](const Result& r) { return number(r.summary.max_strain); }},
+      {"stability/margin", "1",
+       "with finite rotations, smallest theta of K_T v = theta K_M v on the touching face, K_T the tangent stiffness "
+       "and K_M "
+       "its part of the material: 1 without stresses, 0 at a critical state; a warning below 0.05; null with small "
+       "rotations",
+       [](const Result& r) { return r.stability ? number(r.stability->margin) : Json(nullptr); }},
+      {"stability/margin_without_weak_contact", "1",
+       "the same if nodes may leave their obstacle whose eta is below 0.01 of its largest; null if nothing holds the "
+       "shell then",
+       [](const Result& r) { return r.stability ? number(r.stability->margin_without_weak_contact) : Json(nullptr); }},
+      {"stability/weak_nodes", "1", "number of these nodes",
+       [](const Result& r) { return Json(r.stability ? r.stability->weak_nodes : 0); }, Form::integer},
       {"stress/max_von_mises", "Pa", "largest von Mises stress at points of output, away from singular_places",
        [](const Result& r) { return number(r.peak.von_mises); }},
       {"stress/error", "Pa",
@@ -386,8 +402,12 @@ std::span<const Quantity<certificate::Certificate>> certificate_quantities() {
       {"moment_balance", "1",
        "sum of moments about the origin over the largest of them; on curved shells it falls with the mesh size",
        [](const Certificate& c) { return number(c.moment_balance); }},
-      {"energy_identity", "1", "|a(U, U) - work of loads and reactions| over a(U, U)",
+      {"energy_identity", "1", "|a(U, U) - work of loads and reactions| over a(U, U); null with finite rotations",
        [](const Certificate& c) { return number(c.energy_identity); }},
+      {"energy_derivative", "1",
+       "|derivative of the energy along (u, r) - work of the stresses along it| over that work; null with small "
+       "rotations",
+       [](const Certificate& c) { return number(c.energy_derivative); }},
   };
   return all;
 }
@@ -488,6 +508,8 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"min_gap", "m", "smallest gap at a node", [](const HistoryEntry& h) { return number(h.level.min_gap); }},
       {"support_force", "N", "resultant force of all supports on the shell",
        [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }, Form::triple},
+      {"stability_margin", "1", "stability/margin at this instant; null with small rotations",
+       [](const HistoryEntry& h) { return h.stability ? number(h.stability->margin) : Json(nullptr); }},
       {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); },
        Form::integer},
       {"factorisations", "1", "numeric factorisations",

@@ -110,7 +110,10 @@ std::string linearity_html(const Json& results) {
   const auto value = [&](const std::string& path) { return html_number(at_path(results, path), path); };
   const std::string status = plain_words(at_path(results, "linearity/status"));
   std::string text;
-  if (status == "solved")
+  if (at_path(results, "rotations") == Json("finite"))
+    text = "Rotations are finite. The margin of stability is " + value("stability/margin") +
+           ": 1 without stresses, 0 where the shell snaps. ";
+  else if (status == "solved")
     text = "Finite rotations change the numbers of the linear model by up to " + value("linearity/difference") + ". ";
   else if (status == "unstable")
     text = "With finite rotations the shell is not stable near this solution. ";

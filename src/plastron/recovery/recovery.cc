@@ -6,11 +6,14 @@ namespace plastron::recovery {
 
 namespace {
 
-double smallest_gap(const assembly::DiscreteShell& discrete, const obstacle::ShellPoint& at, const Vector3d& u,
-                    const Vector3d& r) {
+/// Returns the least gap at a point where the fields are `now` and those of the linearisation `state`.
+double smallest_gap(const assembly::DiscreteShell& discrete, const PointValues& at, const assembly::Vector6& state,
+                    const assembly::Vector6& now) {
+  const obstacle::ShellPoint before = discrete.shell_point(at.phi, at.a3, at.thickness, state),
+                             here = discrete.shell_point(at.phi, at.a3, at.thickness, now);
   double smallest = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k)
-    smallest = std::fmin(smallest, discrete.gap(k, at)(u, geometry::tangential(r, at.a3)));
+    smallest = std::fmin(smallest, discrete.gap(k, before)(here.u, here.r));
   return smallest;
 }
 
@@ -116,9 +119,7 @@ void Recovery::add_nodal_values(std::size_t cell, const element::CellField& fiel
     PointValues& point = points[p];
     point.u = values.row(row).head<3>();
     point.r = values.row(row).tail<3>();
-    point.gap =
-        smallest_gap(discrete_, assembly::shell_point(point.phi, point.a3, point.thickness, moved.row(row).transpose()),
-                     point.u, point.r);
+    point.gap = smallest_gap(discrete_, point, moved.row(row).transpose(), values.row(row).transpose());
     point.pressure = contact_values(row, 0);
     point.lambda = lambda_values[row];
     point.touching = contact_values(row, 1);

@@ -38,7 +38,9 @@ CellResultants ResultantPoints::operator()(std::size_t cell, const element::Cell
   const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, basis_.xi, frames);
   const assembly::CrossSection& section = shell.section(cell);
   shell.surface().evaluate(section.thickness, where, basis_.xi, e);
-  const auto strains = shell.strains_at(cell, field, basis_, tied_, frames);
+  const element::CellField half = field / 2;
+  const auto strains =
+      shell.strains_at(cell, field, basis_, tied_, frames, discrete_.has_finite_rotations() ? &half : nullptr);
 
   CellResultants result{.position = {}, .axes = {}, .values = ResultantRows(static_cast<Eigen::Index>(count), 8)};
   for (std::size_t p = 0; p < count; ++p) {

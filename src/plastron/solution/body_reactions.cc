@@ -18,6 +18,13 @@ BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& moti
   return q;
 }
 
+/// Returns the motion of a body since the start.
+fem::BodyMotion motion_of(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y) {
+  if (!discrete.has_finite_rotations()) return fem::motion_of(discrete.space(), discrete.space().bodies[body], y);
+  const fem::BodyPlace& place = discrete.places[body];
+  return {place.displacement, fem::rotation_vector(place.turn)};
+}
+
 /// Adds the unknowns whose nodes this rank owns. Returns their reactions, moments divided by the length; zero
 /// elsewhere.
 BodyVector add_unknowns(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
@@ -38,11 +45,12 @@ BodyVector add_unknowns(const assembly::DiscreteShell& discrete, const fem::Plac
   return reactions;
 }
 
+/// `reference`: the place of the reference point where the reactions act.
 void add_reaction(const fem::PlacedBody& placed, const BodyVector& reactions, const BodyVector& motion,
-                  BodyBalance& balance) {
+                  const Vector3d& reference, BodyBalance& balance) {
   BodyReaction& body = balance.bodies.back();
   body.moment_at_reference = placed.length * reactions.tail<3>();
-  const Vector3d force = reactions.head<3>(), lever = body.reference.cross(force);
+  const Vector3d force = reactions.head<3>(), lever = reference.cross(force);
   body.reaction = {force, body.moment_at_reference + lever};
   balance.reaction += body.reaction;
   balance.support_work += reactions.dot(motion);
@@ -65,18 +73,31 @@ double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody&
 
 }  // namespace
 
-double distance_from_body(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
-                          const fem::BodyMotion& motion, const algebra::Vector& y) {
+double distance_from_body(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y) {
   const fem::Space& space = discrete.space();
-  const BodyVector q = in_lengths(placed, motion);
+  const fem::PlacedBody& placed = space.bodies[body];
+  const BodyVector q = in_lengths(placed, motion_of(discrete, body, y));
+  const auto carried = [&](const fem::BodyNode& member) -> BodyVector {
+    if (!discrete.has_finite_rotations()) return member.motion * q;
+    const assembly::NodalPoint& point = discrete.points[static_cast<std::size_t>(member.node)];
+    const fem::BodyPlace& place = discrete.places[body];
+    BodyVector motion;
+    motion << place.displacement + place.turn * (point.phi - placed.body.reference) - point.phi + placed.body.reference,
+        place.turn * point.a3 - point.a3;
+    return motion;
+  };
   double most = 0;
   for (const fem::BodyNode& member : placed.members) {
     if (member.node >= space.layout->owned) continue;
     const auto node = static_cast<std::size_t>(member.node);
-    BodyVector rest = node_values(y, node) - member.motion * q;
+    BodyVector rest = node_values(y, node) - carried(member);
     if (!placed.body.turns_normals) rest.tail<3>().setZero();
     const double error = rest.head<3>().norm() + discrete.points[node].thickness * rest.tail<3>().norm();
     if (!(error <= most)) most = error;  // true also for NaN
+  }
+  for (Eigen::Index c = 0; c < 6; ++c) {
+    const auto& value = placed.body.fixed[static_cast<std::size_t>(c)];
+    if (value) most = std::max(most, std::abs(q[c] - (c < 3 ? *value : placed.length * *value)));
   }
   return most;
 }
@@ -84,12 +105,13 @@ double distance_from_body(const assembly::DiscreteShell& discrete, const fem::Pl
 BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
                          const algebra::Vector& residual) {
   BodyBalance balance;
-  const fem::Space& space = discrete.space();
+  const fem::Space& space = *discrete.coordinates.space;
   if (space.bodies.empty()) return balance;
   algebra::Vector load = discrete.load;
   space.constraints.apply_transposed(load);
-  for (const fem::PlacedBody& placed : space.bodies) {
-    const fem::BodyMotion motion = motion_of(space, placed, y);
+  for (std::size_t k = 0; k < space.bodies.size(); ++k) {
+    const fem::PlacedBody& placed = space.bodies[k];
+    const fem::BodyMotion motion = motion_of(discrete, k, y);
     balance.bodies.push_back({.name = placed.body.name,
                               .reference = placed.body.reference,
                               .displacement = motion.displacement,
@@ -97,9 +119,10 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
                               .least_gap = least_gap(discrete, placed, y)});
     BodyVector reactions = add_unknowns(discrete, placed, residual, load, balance);
     for (double& r : reactions) r = algebra::sum_over_ranks(r, space.layout->comm);
-    add_reaction(placed, reactions, in_lengths(placed, motion), balance);
+    const Vector3d way = discrete.has_finite_rotations() ? motion.displacement : Vector3d(Vector3d::Zero());
+    add_reaction(placed, reactions, in_lengths(placed, motion), placed.body.reference + way, balance);
     if (std::ranges::any_of(placed.body.fixed, [](const auto& value) { return value.has_value(); }))
-      balance.support_error = std::max(balance.support_error, distance_from_body(discrete, placed, motion, y));
+      balance.support_error = std::max(balance.support_error, distance_from_body(discrete, k, y));
   }
   return balance;
 }

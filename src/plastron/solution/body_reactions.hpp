@@ -40,9 +40,8 @@ struct BodyBalance {
 BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
                          const algebra::Vector& residual);
 
-/// The largest |y - W q| over the owned nodes of a body with the motion q, without components that hinges leave free
-/// [m]. Counts displacements u and rotations times thickness, e r.
-double distance_from_body(const assembly::DiscreteShell& discrete, const fem::PlacedBody& placed,
-                          const fem::BodyMotion& motion, const algebra::Vector& y);
+/// The largest distance of the owned nodes of a body from its motion, without components that hinges leave free, and of the
+/// motion from its prescribed components [m]. Counts displacements u and rotations times thickness, e r (collective).
+double distance_from_body(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y);
 
 }  // namespace plastron::solution

@@ -36,7 +36,7 @@ assembly::Vector6 contact_force(const assembly::DiscreteShell& discrete, const N
                                 const assembly::ContactRow& row) {
   const auto k = static_cast<std::size_t>(row.obstacle);
   if (solution.touching.at(row.node)[k] == 0) return assembly::Vector6::Zero();
-  const assembly::NodalPoint& point = discrete.points[row.node];
+  const assembly::NodalPoint& point = discrete.place(row.node);
   const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
   assembly::Vector6 gap_row;  // it contains only the tangential part of r (D4)
   gap_row << gap.normal, gap.arm * geometry::tangential(gap.normal, point.a3);
@@ -53,7 +53,7 @@ std::vector<ContactForce> contact_forces(const assembly::DiscreteShell& discrete
       const double pressure = solution.pressure.at(i)[k];
       pack_force({.obstacle = k,
                   .x = point.x,
-                  .place = gap.contact_point,
+                  .place = discrete.has_finite_rotations() ? Vector3d(point.phi + gap.z * point.a3) : gap.contact_point,
                   .displacement = assembly::node_values(solution.y, i).head<3>(),
                   .force = pressure * point.weight * gap.normal,
                   .pressure = pressure,

@@ -18,7 +18,7 @@ algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSol
     apply_coupling_transposed(discrete.shell, lambda, f);
     algebra::axpy(1, f, r);
   }
-  discrete.space().constraints.apply_transposed(r);
+  discrete.coordinates.space->constraints.apply_transposed(r);
   return r;
 }
 
@@ -38,23 +38,23 @@ double largest_displacement(const algebra::Vector& y) {
   return algebra::max_over_ranks(largest, y.layout()->comm);
 }
 
-NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {
+namespace {
+
+NodalSolution zero_solution(const assembly::DiscreteShell& discrete) {
   const auto& layout = discrete.space().layout;
+  const int obstacles = std::max(1, static_cast<int>(discrete.coordinates.gaps.size()));
+  return {.y = algebra::Vector(layout, 6),
+          .pressure = algebra::Vector(layout, obstacles),
+          .touching = algebra::Vector(layout, obstacles)};
+}
+
+/// Sets the pressures and the contact of the rows for which is_active(row) is true, from the residual (collective).
+template <class IsActive>
+void set_contact(const assembly::DiscreteShell& discrete, const IsActive& is_active, NodalSolution& solution) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  const int obstacles = std::max(1, static_cast<int>(coordinates.gaps.size()));
-  NodalSolution solution{.y = algebra::Vector(layout, 6),
-                         .pressure = algebra::Vector(layout, obstacles),
-                         .touching = algebra::Vector(layout, obstacles),
-                         .lambda = box.equation_multiplier};
-  coordinates.to_cartesian(box.z, solution.y);
-  if (solution.lambda.layout()) {
-    solution.lambda.update_ghosts();
-    discrete.space().continuity.apply(solution.lambda);
-  }
   const algebra::Vector r = residual(discrete, solution);
   for (const assembly::ContactRow& row : coordinates.rows) {
-    if (!row.binds) continue;
-    if (box.activity[coordinates.at(row.node, row.coordinate)] != bound_of(row)) continue;
+    if (!row.binds || !is_active(row)) continue;
     const auto k = static_cast<std::size_t>(row.obstacle);
     solution.touching.at(row.node)[k] = 1;
     solution.pressure.at(row.node)[k] =
@@ -68,6 +68,37 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
   // Interpolation between touching and free masters gives a fraction: a hanging node either touches or does not.
   for (const constraints::Row& row : discrete.space().continuity.rows())
     for (double& touches : solution.touching.at(static_cast<std::size_t>(row.node))) touches = touches > 0.5 ? 1 : 0;
+}
+
+}  // namespace
+
+NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {
+  NodalSolution solution = zero_solution(discrete);
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  coordinates.to_cartesian(box.z, solution.y);
+  solution.lambda = box.equation_multiplier;
+  if (solution.lambda.layout()) {
+    solution.lambda.update_ghosts();
+    discrete.space().continuity.apply(solution.lambda);
+  }
+  set_contact(
+      discrete,
+      [&](const assembly::ContactRow& row) {
+        return box.activity[coordinates.at(row.node, row.coordinate)] == bound_of(row);
+      },
+      solution);
+  return solution;
+}
+
+NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const algebra::Vector& touching) {
+  NodalSolution solution = zero_solution(discrete);
+  if (discrete.state.is_deformed()) solution.y = discrete.state.displacement;
+  set_contact(
+      discrete,
+      [&](const assembly::ContactRow& row) {
+        return touching.at(row.node)[static_cast<std::size_t>(row.obstacle)] > 0.5;
+      },
+      solution);
   return solution;
 }
 

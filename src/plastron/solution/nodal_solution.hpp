@@ -22,6 +22,10 @@ double largest_displacement(const algebra::Vector& y);
 /// Computes eta_i from the residual at the nodes in the solution's active set (collective).
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& solution);
 
+/// Returns the solution at the state of a shell with finite rotations, in contact where `touching` is above one half; block:
+/// obstacles (collective).
+NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const algebra::Vector& touching);
+
 /// Returns C' (A y + B' lambda - l) per owned node, computed from strains: forces at constrained nodes are added at the
 /// nodes that these follow from (collective).
 algebra::Vector residual(const assembly::DiscreteShell& discrete, const NodalSolution& solution);

@@ -30,18 +30,23 @@ struct Sums {
   std::vector<NodalSupportForce> at_supports{};
 };
 
-void note_size(const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
+/// Returns the angle between the normal and the director a_3 + r; |r| with small rotations [rad].
+double rotation_of(const assembly::DiscreteShell& discrete, const Vector3d& r) {
+  return discrete.has_finite_rotations() ? 2 * std::asin(std::min(1.0, r.norm() / 2)) : r.norm();
+}
+
+void note_size(const assembly::DiscreteShell& discrete, const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
   const double u = y.head<3>().norm();
   sums.displacement = std::max(sums.displacement, u);
   sums.relative_displacement = std::max(sums.relative_displacement, u / p.thickness);
-  sums.rotation = std::max(sums.rotation, y.tail<3>().norm());
+  sums.rotation = std::max(sums.rotation, rotation_of(discrete, y.tail<3>()));
   sums.thickness = std::min(sums.thickness, p.thickness);
 }
 
 /// Adds all obstacles at one node. Returns their generalised force.
 Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i,
                      Sums& sums) {
-  const assembly::NodalPoint& point = discrete.points[i];
+  const assembly::NodalPoint& point = discrete.place(i);
   Vector6 all = Vector6::Zero();
   for (const assembly::ContactRow& row : discrete.coordinates.rows_of(i)) {
     const auto k = static_cast<std::size_t>(row.obstacle);
@@ -62,11 +67,11 @@ Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolutio
 void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solution, std::size_t i, const Vector6& r,
               Sums& sums) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
-  const assembly::NodalPoint& point = discrete.points[i];
+  const assembly::NodalPoint& point = discrete.place(i);
   const Vector6 y = node_values(solution.y, i), load = node_values(discrete.load, i);
   sums.loads += nodal_wrench(point.phi, point.a3, load);
   sums.load_work += load.dot(y);
-  note_size(point, y, sums);
+  note_size(discrete, point, y, sums);
   if (discrete.space().continuity.constrains(i)) return;
   const Vector6 contact = add_contacts(discrete, solution, i, sums);
   const Vector6 rest = r - contact;
@@ -148,10 +153,11 @@ double largest_principal(const assembly::QuadraturePoint& p, const Eigen::Vector
   return largest;
 }
 
-double max_strain(const assembly::ShellOperator& shell, const algebra::Vector& y) {
+double max_strain(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  const assembly::ShellOperator& shell = discrete.shell;
   double most = 0;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const assembly::CellStrain strains = shell.strains(c, shell.gather(c, y));
+    const assembly::CellStrain strains = discrete.strains(c, y);
     for (Eigen::Index q = 0; q < strains.rows(); ++q) {
       const double strain = largest_principal(shell.point(c, static_cast<int>(q)), strains.row(q).head<3>().transpose(),
                                               strains.row(q).segment<3>(3).transpose());
@@ -163,9 +169,9 @@ double max_strain(const assembly::ShellOperator& shell, const algebra::Vector& y
 
 /// Adds energies, and whether they are only rounding.
 void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& s) {
-  s.energy = discrete.shell.energies(solution.y);
+  s.energy = discrete.energies(solution.y);
   s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
-  s.max_strain = max_strain(discrete.shell, solution.y);
+  s.max_strain = max_strain(discrete, solution.y);
   s.rounding_energy = rounding_of_energy * strain_scale(discrete, solution.y, s.size).energy;
   s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
 }
@@ -195,7 +201,7 @@ Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& 
   add_totals(sums, comm, s);
   add_energies(discrete, solution, s);
   s.load_norms = load_norms(discrete, s.size);
-  s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
+  if (!discrete.has_finite_rotations()) s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
   s.edge = edge_contact(discrete, solution);
   s.is_admissible_wanted = discrete.state.is_admissible();
   if (s.is_admissible_wanted) s.largest_lift = algebra::max_abs(discrete.state.lifts);

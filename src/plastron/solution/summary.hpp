@@ -44,7 +44,7 @@ struct Summary {
   double max_normal_rotation = 0;        ///< max |r . a_3| over nodes and quadrature points
   double max_displacement = 0;           ///< max |u| over nodes [m]
   double max_relative_displacement = 0;  ///< max |u| / e over nodes
-  double max_rotation = 0;               ///< max |r| over nodes [rad]
+  double max_rotation = 0;               ///< max |r|, or the angle with finite rotations, over nodes [rad]
   double least_thickness = 0;            ///< min e over nodes [m]
   double size = 0;                       ///< half the diagonal of the nodes' bounding box [m]
   /// Largest principal strain gamma +- e/2 chi at the faces, by absolute value, at quadrature points.

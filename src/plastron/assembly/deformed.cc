@@ -1,0 +1,169 @@
+#include <plastron/assembly/deformed.hpp>
+
+#include <plastron/fem/constraints.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plastron::assembly {
+
+namespace {
+
+using Eigen::Matrix3d;
+
+/// Sums over nodes of p, q and of their products.
+struct Moments {
+  double count = 0;
+  Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();
+  Matrix3d products = Matrix3d::Zero();
+};
+
+Moments over_ranks(Moments sums, MPI_Comm comm) {
+  sums.count = algebra::sum_over_ranks(sums.count, comm);
+  for (double& entry : sums.from) entry = algebra::sum_over_ranks(entry, comm);
+  for (double& entry : sums.to) entry = algebra::sum_over_ranks(entry, comm);
+  for (double& entry : sums.products.reshaped()) entry = algebra::sum_over_ranks(entry, comm);
+  return sums;
+}
+
+/// Returns the rotation nearest to a matrix; about axes that it leaves free, the smallest.
+Matrix3d nearest_rotation(const Matrix3d& matrix) {
+  constexpr double free = 1e-12;
+  const Eigen::JacobiSVD<Matrix3d> svd(matrix + free * matrix.norm() * Matrix3d::Identity(),
+                                       Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() > 0 ? 1 : -1;
+  return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+fem::BodyPlace body_place(const fem::Space& space, const fem::PlacedBody& placed, const std::vector<NodalPoint>& points,
+                          const algebra::Vector& y) {
+  Moments sums;
+  for (const fem::BodyNode& member : placed.members) {
+    if (member.node >= space.layout->owned) continue;
+    const auto node = static_cast<std::size_t>(member.node);
+    const Vector6 moved = node_values(y, node);
+    const Vector3d p = points[node].phi - placed.body.reference, q = p + moved.head<3>();
+    sums.count += 1;
+    sums.from += p;
+    sums.to += q;
+    sums.products += q * p.transpose();
+    if (placed.body.turns_normals)
+      sums.products +=
+          placed.length * placed.length * (points[node].a3 + moved.tail<3>()) * points[node].a3.transpose();
+  }
+  sums = over_ranks(sums, space.layout->comm);
+  const Matrix3d turn = nearest_rotation(sums.products - sums.to * sums.from.transpose() / sums.count);
+  return {.displacement = (sums.to - turn * sums.from) / sums.count, .turn = turn};
+}
+
+void carry(const fem::PlacedBody& placed, const fem::BodyPlace& place, const std::vector<NodalPoint>& points,
+           algebra::Vector& y) {
+  const Matrix3d change = place.turn - Matrix3d::Identity();
+  for (const fem::BodyNode& member : placed.members) {
+    const auto node = static_cast<std::size_t>(member.node);
+    double* values = y.at(node).data();
+    Eigen::Map<Vector3d>{values} = place.displacement + change * (points[node].phi - placed.body.reference);
+    if (placed.body.turns_normals) Eigen::Map<Vector3d>{values + 3} = change * points[node].a3;
+  }
+}
+
+/// Turns the director of a kinked node in the plane of both directors so that their angle is that of the reference.
+void keep_angle(const NodalPoint& first, const NodalPoint& second, const Vector3d& d_first, Eigen::Map<Vector3d> r) {
+  const double cosine = first.a3.dot(second.a3), sine = first.a3.cross(second.a3).norm();
+  const Vector3d d = second.a3 + r, across = (d - d_first.dot(d) * d_first).normalized();
+  r = cosine * d_first + sine * across - second.a3;
+}
+
+/// Where all three components of r are prescribed, they prescribe a director: replaces them by the way to it, tangential
+/// to the present one. Returns whether it has done this.
+bool prescribes_director(const Vector3d& a3, const Vector3d& now, NodeSupport& support) {
+  constexpr double independent = 1e-6;
+  Matrix3d rows = Matrix3d::Zero();
+  Vector3d values = Vector3d::Zero();
+  for (const auto& [direction, value] : support.rotation) {
+    rows += direction * direction.transpose();
+    values += value * direction;
+  }
+  if (!(geometry::symmetric_eigen(rows).values[0] > independent)) return false;
+  const Vector3d way = (a3 + rows.ldlt().solve(values)).normalized() - now;
+  support.rotation.clear();
+  for (const Vector3d& direction : across(now)) support.rotation.emplace_back(direction, direction.dot(way));
+  return true;
+}
+
+}  // namespace
+
+std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vector<NodalPoint>& points,
+                                        const algebra::Vector& y) {
+  std::vector<fem::BodyPlace> places;
+  places.reserve(space.bodies.size());
+  for (const fem::PlacedBody& placed : space.bodies) places.push_back(body_place(space, placed, points, y));
+  return places;
+}
+
+algebra::Vector with_unit_directors(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y) {
+  const std::vector<fem::BodyPlace> places = body_places(space, points, y);
+  const auto rotation = [&](std::size_t node) { return Eigen::Map<Vector3d>(y.at(node).data() + 3); };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!rotation(i).isZero(0)) rotation(i) = (points[i].a3 + rotation(i)).normalized() - points[i].a3;
+  for (const constraints::Row& kink : space.kinks.rows()) {
+    const auto first = static_cast<std::size_t>(kink.terms.front().node), second = static_cast<std::size_t>(kink.node);
+    keep_angle(points[first], points[second], points[first].a3 + rotation(first), rotation(second));
+  }
+  for (std::size_t k = 0; k < places.size(); ++k) carry(space.bodies[k], places[k], points, y);
+  space.continuity.apply(y);
+  return y;
+}
+
+std::vector<NodalPoint> moved_points(std::vector<NodalPoint> points, const algebra::Vector& y) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector6 moved = node_values(y, i);
+    points[i].phi += moved.head<3>();
+    if (!moved.tail<3>().isZero(0)) points[i].a3 = (points[i].a3 + moved.tail<3>()).normalized();
+  }
+  return points;
+}
+
+std::shared_ptr<const fem::Space> turned_space(const std::shared_ptr<const fem::Space>& space,
+                                               const std::vector<NodalPoint>& points,
+                                               const std::vector<NodalPoint>& moved,
+                                               const std::vector<fem::BodyPlace>& places) {
+  const auto normals_of = [](const std::vector<NodalPoint>& all) {
+    std::vector<Vector3d> normals;
+    normals.reserve(all.size());
+    for (const NodalPoint& point : all) normals.push_back(point.a3);
+    return normals;
+  };
+  return fem::turned(space, normals_of(points), normals_of(moved), places);
+}
+
+std::vector<NodeSupport> remaining_supports(std::vector<NodeSupport> supports, const std::vector<NodalPoint>& points,
+                                            const algebra::Vector& y) {
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    NodeSupport& support = supports[i];
+    const Vector6 now = node_values(y, i);
+    const Vector3d& a3 = points[i].a3;
+    support.displacement_scale = std::max(support.displacement_scale, points[i].thickness);
+    support.rotation_scale = std::max(support.rotation_scale, 1.0);
+    for (auto& [direction, value] : support.displacement) value -= direction.dot(now.head<3>());
+    if (prescribes_director(a3, (a3 + now.tail<3>()).normalized(), support)) continue;
+    for (auto& [direction, value] : support.rotation) value -= direction.dot(now.tail<3>());
+  }
+  return supports;
+}
+
+void turn_body_loads(const fem::Space& space, const fem::Space& turned, double load_factor, algebra::Vector& load) {
+  algebra::Vector before(load.layout(), 6), now(load.layout(), 6);
+  for (std::size_t k = 0; k < space.bodies.size(); ++k) {
+    fem::add_body_load(space, space.bodies[k], before);
+    fem::add_body_load(turned, turned.bodies[k], now);
+  }
+  algebra::axpy(-load_factor, before, load);
+  algebra::axpy(load_factor, now, load);
+}
+
+}  // namespace plastron::assembly
