@@ -174,8 +174,8 @@ TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   const double lambda2 = 1 - std::pow(e * kappa, 2) / 6;
-  const double energy = 0.1 * length / 2 *
-                        (e * std::pow(std::pow(e * kappa, 2) / 12, 2) + std::pow(e, 3) / 12 * kappa * kappa * lambda2);
+  const double energy =
+      0.1 * length / 2 * (e * std::pow(std::pow(e * kappa, 2) / 12, 2) + std::pow(e, 3) / 12 * kappa * kappa * lambda2);
   EXPECT_NEAR(r.summary.energy.total() / energy, 1, 1e-8);
   EXPECT_NEAR(r.summary.max_rotation, theta, 1e-9);
 }

@@ -99,7 +99,11 @@ TEST(TangentMatrix, IsTheSecondDerivativeOfThePotentialOnDirectorsOfLengthOne) {
     };
     const double t = 1e-3, second = algebra::dot(z, K_z);
     const auto difference = [&](double s) { return (along(s) - 2 * along(0) + along(-s)) / (s * s); };
-    EXPECT_NEAR(second, (4 * difference(t) - difference(2 * t)) / 3, 1e-6 * std::abs(second));
+    const double exact = (4 * difference(t) - difference(2 * t)) / 3;
+    // Where strains are tied, compressive forces leave out motions that these do not see: the matrix is a little stiffer.
+    const bool is_tied = std::get<bool>(element);
+    EXPECT_NEAR(second, exact, (is_tied ? 0.02 : 1e-6) * std::abs(second));
+    EXPECT_GE(second, exact - 1e-6 * std::abs(second));
   }
 }
 

@@ -68,6 +68,13 @@ void linearise(DiscreteShell& discrete, State state) {
                                              discrete.obstacles, discrete.tangency.formulation, discrete.state);
 }
 
+std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,
+                                                               const element::CellField& field) const {
+  if (!has_finite_rotations()) return {};
+  if (kind == FieldKind::solution) return field / 2;  // see ShellOperator::finite_strains()
+  return state.is_deformed() ? shell.gather(cell, state.displacement) : element::CellField::Zero(field.rows(), 6);
+}
+
 CellStrain DiscreteShell::strains(std::size_t cell, const algebra::Vector& y) const {
   const element::CellField field = shell.gather(cell, y);
   return has_finite_rotations() ? shell.finite_strains(cell, field) : shell.strains(cell, field);
@@ -82,6 +89,14 @@ CellStrain DiscreteShell::stresses(std::size_t cell, const CellStrain& strains) 
 Energies DiscreteShell::energies(const algebra::Vector& y) const {
   if (!has_finite_rotations()) return shell.energies(y);
   return shell.energies_of([&](std::size_t cell) { return strains(cell, y); });
+}
+
+Energies DiscreteShell::motion_energies(const algebra::Vector& y) const {
+  if (!has_finite_rotations()) return shell.energies(y);
+  return shell.energies_of([&](std::size_t cell) {
+    const element::CellField field = shell.gather(cell, y);
+    return shell.strains(cell, field, shell.geometry(cell, *linearised_at(FieldKind::motion, cell, field)));
+  });
 }
 
 obstacle::ShellPoint DiscreteShell::shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,

@@ -10,9 +10,14 @@
 #include <plastron/assembly/shell_operator.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plastron::assembly {
+
+/// What a field (u, r) is. A solution has the strains of the model, a motion (a dual solution) their derivative at the state.
+/// With small rotations both are the same.
+enum class FieldKind { solution, motion };
 
 struct DiscreteShell {
   ShellOperator shell;
@@ -39,12 +44,17 @@ struct DiscreteShell {
   Vector6 in_coordinates(const algebra::Vector& y, std::size_t node) const {
     return has_finite_rotations() ? Vector6(node_values(y, node) - state.at(node)) : node_values(y, node);
   }
+  /// Returns (u, r) of a cell's nodes at which strains(field) are linearised; nothing with small rotations.
+  std::optional<element::CellField> linearised_at(FieldKind kind, std::size_t cell,
+                                                  const element::CellField& field) const;
   /// Returns the strains at the quadrature points of a cell with nodal values y.
   CellStrain strains(std::size_t cell, const algebra::Vector& y) const;
   /// Returns N, M, Q of strains at the quadrature points, times area, less those of initial strains.
   CellStrain stresses(std::size_t cell, const CellStrain& strains) const;
   /// Returns the three parts of the energy (collective).
   Energies energies(const algebra::Vector& y) const;
+  /// Returns the three parts of 1/2 a(y, y) for a motion y, a with the stiffness of the material at the state (collective).
+  Energies motion_energies(const algebra::Vector& y) const;
   /// Returns a point of the shell after the motion (u, r) = `moved`. With small rotations r . a_3 moves no face.
   obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                    const Vector6& motion) const;

@@ -84,6 +84,17 @@ class LevelRun {
     return z;
   }
 
+  /// Prepares dual problems at a solution with finite rotations.
+  contact::BoxSolution prepare_duals(const solution::NodalSolution& nodal) {
+    Stopwatch watch;
+    last_ = std::make_unique<LinearAlgebra>(finite::hessian(*discrete_, nodal, discrete_->coordinates),
+                                            std::vector<char>{}, discrete_->space().layout->comm);
+    finite::ProblemAtSolution at = finite::problem_at(*discrete_, nodal, last_->A);
+    last_->box.emplace(std::move(at.box));
+    seconds.estimates += watch.lap();
+    return std::move(at.z);
+  }
+
   std::vector<double> values(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
                              const solution::Summary& summary) const {
     return estimation::values(task_.valued, solved(z, nodal, summary));
@@ -190,12 +201,14 @@ Found balanced(LevelRun& run, const algebra::Vector* zone) {
   assembly::DiscreteShell& discrete = run.discrete();
   solution::NodalSolution nodal =
       solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, run.obstacles()));
-  finite::StepStart start{.prestress = finite::prestress(discrete, nodal)};
+  // Stresses of an interpolated state are no guide: rotations that do not fit leave stretch behind.
+  finite::StepStart start{.prestress = finite::no_prestress(discrete)};
   if (zone) start.zone = *zone;
   finite::NewtonStep step;
   double before = std::numeric_limits<double>::infinity();
   for (int steps = 0; steps < most_newton_steps; ++steps) {
     step = run.newton_step(start);
+    if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
     if (step.status() != contact::Status::solved) break;
     linearise(discrete, finite::next_state(discrete, start, step));
     const double displacement = solution::largest_displacement(discrete.state.displacement);
@@ -292,11 +305,16 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   run.seconds.certificate = watch.lap();
   std::optional<estimation::Estimates> estimates;
   std::vector<double> values;
-  if (task.goals && z.status == contact::Status::solved) estimates = run.estimate(z, nodal, verdict.summary);
+  const bool is_finite = run.discrete().has_finite_rotations();
+  contact::BoxSolution duals;
+  if (is_finite && z.status == contact::Status::solved && (task.goals || !task.valued.empty()))
+    duals = run.prepare_duals(nodal);
+  if (task.goals && z.status == contact::Status::solved)
+    estimates = run.estimate(is_finite ? duals : z, nodal, verdict.summary);
   std::optional<double> buckling;
   if (z.status == contact::Status::solved) {
-    values = run.values(z, nodal, verdict.summary);
-    if (task.goals) buckling = run.buckling(z, nodal, verdict.summary);
+    if (!task.valued.empty()) values = run.values(is_finite ? duals : z, nodal, verdict.summary);
+    if (task.goals && !is_finite) buckling = run.buckling(z, nodal, verdict.summary);
   }
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);

@@ -55,8 +55,6 @@ class Run {
   /// longer exists (collective).
   bool has_time_for(const problem::Instant& instant);
 
-  /// Whether errors are estimated: not yet with finite rotations.
-  bool estimates_errors() const { return problem.shell.rotations == element::Rotations::small; }
   /// Quantities whose errors are estimated: the goals where an accuracy is requested, else energy and reaction.
   std::vector<estimation::Goal> goals() const;
   /// The settings of a contact problem on a level.

@@ -188,9 +188,6 @@ void check_rotations(Table& root, const problem::Problem& problem) {
       shell.report("rotations",
                    "with finite rotations gaps are those of the deformed shell, and [contact] wants them linearised",
                    "", "remove linearised = true, or write rotations = \"small\"");
-    if (problem.accuracy)
-      shell.report("rotations", "errors are not yet estimated with finite rotations, and [accuracy] needs estimates",
-                   "", "give a [mesh] instead, or write rotations = \"small\"");
   });
 }
 

@@ -30,9 +30,11 @@ element::BasisAt between_nodes(const fem::Space& space, int direction) {
 }
 
 /// Change of a gap by a field.
-double opening(const obstacle::Gap& gap, const auto& row, const Eigen::Vector3d& a3) {
+double opening(const assembly::DiscreteShell& discrete, const obstacle::Gap& gap, const auto& row,
+               const Eigen::Vector3d& a3) {
+  const Eigen::Vector3d r = row.template tail<3>();
   return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) +
-         gap.arm * gap.normal.dot(geometry::tangential(row.template tail<3>(), a3));
+         gap.arm * gap.normal.dot(discrete.has_finite_rotations() ? r : geometry::tangential(r, a3));
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
     const Eigen::Vector3d& a3 = frames[p].a3;
     const obstacle::Gap gap =
         discrete.gap(obstacle, discrete.shell_point(frames[p].phi, a3, e[p], moved.row(row).transpose()));
-    result.emplace_back(gap.initial + opening(gap, u.row(row), a3), gap);
+    result.emplace_back(gap.initial + opening(discrete, gap, u.row(row), a3), gap);
   }
   return result;
 }
@@ -198,7 +200,7 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
     const double weight = at.part * discrete.points[at.node].side_weight;
     const double mu = weight * (reactions.mu[entry] + (derivative.weighs_gaps ? reactions.eta[entry] : 0));
     const double eta = weight * reactions.eta[entry];
-    const double reach = opening(gap, z.row(0), frame.a3) - derivative.held_at(at.obstacle, gap);
+    const double reach = opening(discrete, gap, z.row(0), frame.a3) - derivative.held_at(at.obstacle, gap);
     lines[at.crossed] += std::max(std::abs(mu * at.gap), solved_.box.pressing.empty() ? std::abs(eta * reach) : 0.0);
   }
   return lines;
@@ -301,7 +303,9 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
     const obstacle::Gap gap =
         discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3, p.thickness,
                                                     moved.row(q).transpose()));
-    const auto opened = [&](const element::CellField& field) { return opening(gap, field.row(q), p.frame.a3); };
+    const auto opened = [&](const element::CellField& field) {
+      return opening(discrete, gap, field.row(q), p.frame.a3);
+    };
     penetration += p.area * density(q, 0) * (gap.initial + opened(u));
     reach += p.area * density(q, 1) * (opened(dual) - derivative.held_at(obstacle, gap));
     if (derivative.weighs_gaps) penetration += p.area * density(q, 1) * (gap.initial + opened(u));

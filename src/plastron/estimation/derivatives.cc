@@ -13,10 +13,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The energy 1/2 a(U, U): its own strain errors, and the reactions weighted with the values of fixed coordinates.
+/// Transforms nodal forces to a load of dual problems.
+algebra::Vector dual_load(algebra::Vector forces, const Solved& solved) {
+  algebra::Vector load(solved.box.load.layout(), solved.box.load.block());
+  solved.discrete.coordinates.add_transposed(forces, load);
+  return load;
+}
+
+/// The energy. With small rotations, 1/2 a(U, U): its own strain errors, and the reactions weighted with the values of fixed
+/// coordinates. With finite rotations, W(U): the dual of the forces of its stresses.
 Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
   Derivative result = zero_derivative(solved);
-  result.value = solved.discrete.shell.energies(solved.nodal.y).total();
+  const assembly::DiscreteShell& discrete = solved.discrete;
+  result.value = discrete.energies(solved.nodal.y).total();
+  if (discrete.has_finite_rotations()) {
+    const auto stresses = [&](std::size_t c) {
+      return discrete.shell.weighted_stresses(c, discrete.strains(c, solved.nodal.y));
+    };
+    result.dual.load = dual_load(forces_of_stresses(discrete.shell, solved.nodal.y, stresses), solved);
+    return result;
+  }
   for (std::size_t i = 0; i < solved.z.activity.size(); ++i)
     if (solved.z.activity[i] != contact::Activity::free) result.dual.fixed.owned()[i] = -solved.z.z.owned()[i];
   result.weighs_gaps = true;
@@ -26,7 +42,7 @@ Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
 Derivative derivative_of(const LoadWork& /*work*/, const Solved& solved) {
   Derivative result = zero_derivative(solved);
   result.value = algebra::dot(solved.discrete.load, solved.nodal.y);
-  result.dual.load = solved.box.load;
+  result.dual.load = dual_load(solved.discrete.load, solved);
   return result;
 }
 
@@ -131,7 +147,7 @@ Derivative derivative_of(const SupportForce& force, const Solved& solved) {
       for (const assembly::ContactRow& row : coordinates.rows_of(i)) {
         if (!is_active(row, solved)) continue;
         const obstacle::Gap& gap = coordinates.gaps[static_cast<std::size_t>(row.obstacle)][i];
-        const Vector3d turned = geometry::tangential(gap.normal, solved.discrete.points[i].a3);
+        const Vector3d turned = geometry::tangential(gap.normal, solved.discrete.place(i).a3);
         const double shared = direction.head<3>().dot(gap.normal) + gap.arm * direction.tail<3>().dot(turned);
         all.push_back({coordinates.at(i, row.coordinate), -shared / row.scale * d});
       }

@@ -32,10 +32,12 @@ void add_dual_shares(const assembly::ShellOperator& shell, const AllErrors& u, c
     cells[c] += energy_product(shell, c, u[c], z[c]) - tying_product(u[c], z[c]) - tying_product(z[c], u[c]);
 }
 
-/// Adds the part of E(u) - E(u_h) that needs no dual: 1/2 a(e, e) minus the tying product.
-void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u, std::vector<double>& cells) {
+/// Adds the quadratic part of E(u) - E(u_h): `sign` times 1/2 a(e, e) minus the tying product. With small rotations it needs no
+/// dual (sign 1). With finite rotations the dual of the stresses' forces gives W'(u)[e]; then this part is subtracted.
+void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u, double sign,
+                       std::vector<double>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c)
-    cells[c] += energy_product(shell, c, u[c], u[c]) / 2 - tying_product(u[c], u[c]);
+    cells[c] += sign * (energy_product(shell, c, u[c], u[c]) / 2 - tying_product(u[c], u[c]));
 }
 
 /// Part of the energy products on free edges, on this rank.
@@ -59,7 +61,7 @@ bool weighs_nothing(const DualLoad& dual) {
 class GoalEstimator {
  public:
   GoalEstimator(const Solved& solved, algebra::Preconditioner& preconditioner, const AllErrors& primal,
-                StrainRecovery& strain_errors, const ContactEdge& edge)
+                const StrainRecovery& strain_errors, const ContactEdge& edge)
       : solved_(solved),
         primal_(primal),
         strain_errors_(strain_errors),
@@ -75,8 +77,9 @@ class GoalEstimator {
                         .cells = std::vector<double>(shell.space().owned_cells, 0),
                         .tolerance = goal.tolerance};
     if (std::holds_alternative<Energy>(goal.functional)) {
-      add_energy_shares(shell, primal_, result.cells);
-      result.free_edges += twist_product(primal_, primal_) / 2;
+      const double sign = solved_.discrete.has_finite_rotations() ? -1 : 1;
+      add_energy_shares(shell, primal_, sign, result.cells);
+      result.free_edges += sign * twist_product(primal_, primal_) / 2;
     }
     EdgeShares at_edge(edge_.crossed().size());
     if (std::holds_alternative<ContactArea>(goal.functional))
@@ -96,8 +99,8 @@ class GoalEstimator {
   EdgeShares add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
     algebra::Vector y(z.layout(), 6);
     solved_.discrete.coordinates.to_cartesian(z, y);
-    result.dual_energy = solved_.discrete.shell.energies(y).total();
-    const AllErrors dual = strain_errors_(y);
+    result.dual_energy = solved_.discrete.motion_energies(y).total();
+    const AllErrors dual = strain_errors_.of_motion(y);
     add_dual_shares(solved_.discrete.shell, primal_, dual, result.cells);
     result.free_edges += twist_product(primal_, dual);
     return edge_.shares(d, z, y);
@@ -122,7 +125,7 @@ class GoalEstimator {
 
   const Solved& solved_;
   const AllErrors& primal_;
-  StrainRecovery& strain_errors_;
+  const StrainRecovery& strain_errors_;
   const ContactEdge& edge_;
   DualSolver duals_;
 };
@@ -139,7 +142,7 @@ Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner
   const assembly::ShellOperator& shell = solved.discrete.shell;
   const std::vector<FreeEdge> at_edges = free_edges(solved.discrete);
   StrainRecovery strain_errors(solved.discrete, at_edges);
-  const AllErrors primal = strain_errors(solved.nodal.y);
+  const AllErrors primal = strain_errors.of_solution(solved.nodal);
   const ContactEdge edge(solved);
   Estimates estimates{.cells = std::vector<double>(primal.size()),
                       .profiles = error_profiles(shell, primal),

@@ -1,5 +1,6 @@
 #include <plastron/estimation/free_edges.hpp>
 
+#include <plastron/assembly/contact_coordinates.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/shell/material.hpp>
@@ -76,18 +77,19 @@ class FreeEdgesOf {
       edge.tangent.push_back(derivative.normalized());
       lengths.push_back(line_.weights[i] * derivative.norm());
     }
-    if (!is_free(side, edge.tangent.front())) return {};
+    if (!is_free(side)) return {};
     edge.weight = weights(edge, frames, lengths);
     return edge;
   }
 
  private:
-  bool is_free(const fem::BoundarySide& side, const Vector3d& t) const {
+  bool is_free(const fem::BoundarySide& side) const {
     const std::vector<int> on_side = mesh::side_nodes(space_.shape(), space_.degree, side.side);
     return std::ranges::all_of(std::span(on_side).subspan(1, on_side.size() - 2), [&](int k) {
       const auto node = static_cast<std::size_t>(space_.nodes(side.cell)[static_cast<std::size_t>(k)]);
-      return cells_at_.local()[node] == 1 && !has_couple(node) && may_turn(node, t) &&
-             may_turn(node, normal(node).cross(t));
+      return cells_at_.local()[node] == 1 && !has_couple(node) &&
+             std::ranges::all_of(assembly::across(discrete_.place(node).a3),
+                                 [&](const Vector3d& direction) { return may_turn(node, direction); });
     });
   }
 
@@ -115,7 +117,7 @@ class FreeEdgesOf {
     return std::any_of(f.begin() + 3, f.end(), [](double c) { return c != 0; });
   }
 
-  /// Whether r may have a component in the direction, given the coordinates that supports prescribe.
+  /// Whether r may have a component in a tangential direction, given the coordinates that supports prescribe.
   bool may_turn(std::size_t node, const Vector3d& direction) const {
     const assembly::NodalCoordinates& coordinates = discrete_.coordinates;
     Eigen::MatrixXd free(6, 0);
@@ -126,12 +128,10 @@ class FreeEdgesOf {
     }
     if (free.cols() == 0) return false;
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(6);
-    wanted.tail<3>() = geometry::tangential(direction, normal(node));
-    // The tangent belongs to another point of the side; 1 for a fixed direction.
-    constexpr double most_held = 0.3;
+    wanted.tail<3>() = direction;
+    constexpr double most_held = 0.3;  // sine
     return (free * free.completeOrthogonalDecomposition().solve(wanted) - wanted).norm() < most_held;
   }
-  const Vector3d& normal(std::size_t node) const { return discrete_.points[node].a3; }
 
   const assembly::DiscreteShell& discrete_;
   const fem::Space& space_;

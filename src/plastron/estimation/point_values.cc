@@ -76,7 +76,7 @@ Weighed weighed(const PointStress& point, const recovery::PointValues& values) {
 element::CellField forces_of_cell(const Place& place, const recovery::PointValues& at, const Resultants& weights,
                                   const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
-  const recovery::ResultantPoints take(discrete);
+  const recovery::ResultantPoints take(discrete, assembly::FieldKind::motion);
   const Eigen::MatrixXd continuation = element::resultant_continuation(space.shape(), space.degree, {place.xi});
   const recovery::SurfaceAxes axes{.t1 = at.t1, .t2 = at.t2, .a3 = at.a3};
   element::CellField unit = element::CellField::Zero(space.nodes_per_cell(), 6), forces = unit;

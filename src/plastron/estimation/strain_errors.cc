@@ -1,7 +1,6 @@
 #include <plastron/estimation/strain_errors.hpp>
 
 #include <plastron/mesh/basis.hpp>
-#include <plastron/recovery/resultant_patches.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -30,16 +29,18 @@ Resultants contravariant(const Resultants& in_axes, const SurfaceAxes& axes, con
 /// Computes the errors of a field's strains, one cell at a time.
 class StrainErrorsOf {
  public:
-  StrainErrorsOf(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+  StrainErrorsOf(const assembly::DiscreteShell& discrete, assembly::FieldKind kind, const algebra::Vector& y,
                  const recovery::ResultantPatches& patches)
-      : shell_(discrete.shell), y_(y), patches_(patches), points_(discrete) {}
+      : discrete_(discrete), shell_(discrete.shell), kind_(kind), y_(y), patches_(patches), points_(discrete, kind) {}
 
   StrainErrors operator()(std::size_t cell) const {
     const element::CellField field = shell_.gather(cell, y_);
-    const CellStrain strains = shell_.strains(cell, field);
+    const auto state = discrete_.linearised_at(kind_, cell, field);
+    const assembly::CellGeometry at = state ? shell_.geometry(cell, *state) : shell_.geometry(cell);
+    const CellStrain strains = shell_.strains(cell, field, at);
     StrainErrors result{.error = CellStrain(strains.rows(), 8),
                         .stresses = recovered(cell, field),
-                        .incompatibility = incompatibility(cell, field, strains),
+                        .incompatibility = incompatibility(cell, field, strains, at),
                         .has_patch = patches_.has_patch(cell)};
     for (int q = 0; q < strains.rows(); ++q) {
       const assembly::QuadraturePoint& p = shell_.point(cell, q);
@@ -117,13 +118,14 @@ class StrainErrorsOf {
     return stresses;
   }
 
-  CellStrain incompatibility(std::size_t cell, const element::CellField& field, const CellStrain& tied) const {
+  CellStrain incompatibility(std::size_t cell, const element::CellField& field, const CellStrain& tied,
+                             const assembly::CellGeometry& at) const {
     CellStrain result = CellStrain::Zero(tied.rows(), 8);
     if (!shell_.tables().tying) return result;
     const element::FieldRows rows =
         shell_.interpolation().fields(cell, shell_.tables().quadrature, shell_.quadrature_bases(cell), field);
     for (int q = 0; q < tied.rows(); ++q) {
-      const geometry::Frame& frame = shell_.point(cell, q).frame;
+      const geometry::Frame& frame = at.frames[static_cast<std::size_t>(q)];
       result.row(q).head<3>() = shell::membrane_strain(rows.at(q), frame.a_cov).transpose() - tied.row(q).head<3>();
       result.row(q).tail<2>() =
           shell::shear_strain(rows.at(q), frame.a_cov, frame.a3).transpose() - tied.row(q).tail<2>();
@@ -131,7 +133,9 @@ class StrainErrorsOf {
     return result;
   }
 
+  const assembly::DiscreteShell& discrete_;
   const assembly::ShellOperator& shell_;
+  assembly::FieldKind kind_;
   const algebra::Vector& y_;
   const recovery::ResultantPatches& patches_;
   recovery::ResultantPoints points_;
@@ -139,13 +143,19 @@ class StrainErrorsOf {
 
 }  // namespace
 
-std::vector<StrainErrors> StrainRecovery::operator()(const algebra::Vector& y) {
-  solution::NodalSolution field;
-  field.y = y;
-  const recovery::ResultantPatches resultants =
-      patches_ ? recovery::ResultantPatches(discrete_, field, patches_) : recovery::ResultantPatches(discrete_, field);
+std::vector<StrainErrors> StrainRecovery::of_solution(const solution::NodalSolution& solution) {
+  const recovery::ResultantPatches resultants(discrete_, solution);
   patches_ = resultants.patches();
-  const StrainErrorsOf errors(discrete_, y, resultants);
+  return errors(assembly::FieldKind::solution, solution.y, resultants);
+}
+
+std::vector<StrainErrors> StrainRecovery::of_motion(const algebra::Vector& y) const {
+  return errors(assembly::FieldKind::motion, y, recovery::ResultantPatches(discrete_, y, patches_));
+}
+
+std::vector<StrainErrors> StrainRecovery::errors(assembly::FieldKind kind, const algebra::Vector& y,
+                                                 const recovery::ResultantPatches& resultants) const {
+  const StrainErrorsOf errors(discrete_, kind, y, resultants);
   std::vector<StrainErrors> all;
   all.reserve(discrete_.space().owned_cells);
   for (std::size_t cell = 0; cell < discrete_.space().owned_cells; ++cell) all.push_back(errors(cell));

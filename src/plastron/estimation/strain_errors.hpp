@@ -6,7 +6,7 @@
 #pragma once
 #include <plastron/estimation/estimates.hpp>
 #include <plastron/estimation/free_edges.hpp>
-#include <plastron/recovery/patches.hpp>
+#include <plastron/recovery/resultant_patches.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <memory>
@@ -33,10 +33,15 @@ class StrainRecovery {
   /// `edges` are the shell's free edges. Both arguments must outlive this object.
   StrainRecovery(const assembly::DiscreteShell& discrete, const std::vector<FreeEdge>& edges)
       : discrete_(discrete), edges_(edges) {}
-  /// Returns the errors in the owned cells for the field y (block 6, current ghosts) (collective).
-  std::vector<StrainErrors> operator()(const algebra::Vector& y);
+  /// Returns the errors of the solution in the owned cells. It comes first, and decides the patches (collective).
+  std::vector<StrainErrors> of_solution(const solution::NodalSolution& solution);
+  /// Returns the errors of a motion y, a dual solution (block 6, current ghosts) (collective).
+  std::vector<StrainErrors> of_motion(const algebra::Vector& y) const;
 
  private:
+  std::vector<StrainErrors> errors(assembly::FieldKind kind, const algebra::Vector& y,
+                                   const recovery::ResultantPatches& resultants) const;
+
   const assembly::DiscreteShell& discrete_;
   const std::vector<FreeEdge>& edges_;
   std::shared_ptr<const recovery::Patches> patches_{};  ///< made for the first field

@@ -114,28 +114,6 @@ std::optional<algebra::Eigenpairs> largest_destabilisations(const algebra::Matri
                              algebra::End::largest, settings);
 }
 
-/// Adds the curvature of obstacles at touching nodes, -eta w (v + z s)' H (v + z s), H the Hessian of the distance. Edges that
-/// are sharper than half the thickness count as rounded by it.
-void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
-                                algebra::Matrix& matrix) {
-  const NodalCoordinates& coordinates = discrete.coordinates;
-  const auto width = static_cast<Eigen::Index>(coordinates.width);
-  for (const assembly::ContactRow& row : coordinates.rows) {
-    const auto k = static_cast<std::size_t>(row.obstacle);
-    if (!row.binds || solution.touching.at(row.node)[k] == 0) continue;
-    const obstacle::Gap& gap = coordinates.gaps[k][row.node];
-    Eigen::Matrix3d curvature = discrete.obstacles.now(k).nearest(gap.contact_point).curvature;
-    const double sharpest = 2 / discrete.points[row.node].thickness, sharpness = curvature.norm();
-    if (!(sharpness <= sharpest)) curvature *= sharpest / sharpness;
-    const assembly::RowMatrix basis = coordinates.basis[row.node].leftCols(width);
-    const assembly::RowMatrix face = basis.topRows<3>() + gap.arm * basis.bottomRows<3>();
-    const double force = solution.pressure.at(row.node)[k] * discrete.points[row.node].weight;
-    const assembly::RowMatrix block = -force * face.transpose() * curvature * face;
-    const auto node = static_cast<algebra::LocalIndex>(row.node);
-    matrix.add({&node, 1}, {block.data(), static_cast<std::size_t>(block.size())});
-  }
-}
-
 /// Releases the coordinates of nodes whose eta is below weak_part of its obstacle's largest. Returns their number (collective).
 std::int64_t release_weak_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                                   std::vector<char>& fixed) {
@@ -179,25 +157,38 @@ Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::No
   return modes;
 }
 
-Stability stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
-  SmallMotions motions = small_motions(discrete, solution);
-  const algebra::Matrix stiffness = material_matrix(discrete, motions.coordinates);
+namespace {
+
+/// Returns the smallest theta of (K_M + K_G) v = theta K_M v to three digits; no result if K_M is not definite.
+std::optional<algebra::Eigenpairs> softest(const assembly::DiscreteShell& discrete,
+                                           const solution::NodalSolution& solution, const SmallMotions& motions) {
+  constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-3, .max_restarts = 30};
+  const algebra::Matrix material = material_matrix(discrete, motions.coordinates);
+  const algebra::Matrix tangent = hessian(discrete, solution, motions.coordinates);
+  if (auto pairs = algebra::smallest_eigenpairs(tangent, material, motions.fixed, 0, settings); pairs.converged)
+    return pairs;
   algebra::Matrix geometric = geometric_matrix(discrete, prestress(discrete, solution), motions.coordinates);
   add_curvature_of_obstacles(discrete, solution, geometric);
-  geometric.finish();
-  constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-6, .max_restarts = 100};
-  const auto margin = [](const std::optional<algebra::Eigenpairs>& pairs) {
-    if (!pairs) return std::numeric_limits<double>::quiet_NaN();
-    return pairs->values.empty() ? 1 : 1 - std::max(pairs->values[0], 0.0);
-  };
+  auto pairs = largest_destabilisations(material, geometric, motions.fixed, settings);
+  if (pairs)
+    for (double& value : pairs->values) value = 1 - value;
+  return pairs;
+}
+
+double margin_of(const std::optional<algebra::Eigenpairs>& pairs) {
+  return pairs && !pairs->values.empty() ? std::min(pairs->values[0], 1.0) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+Stability stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  SmallMotions motions = small_motions(discrete, solution);
   Stability result;
-  const auto held = largest_destabilisations(stiffness, geometric, motions.fixed, settings);
-  result.margin = result.margin_without_weak_contact = margin(held);
+  const auto held = softest(discrete, solution, motions);
+  result.margin = result.margin_without_weak_contact = margin_of(held);
   if (result.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);
   result.weak_nodes = release_weak_contact(discrete, solution, motions.fixed);
-  if (result.weak_nodes > 0)
-    result.margin_without_weak_contact =
-        margin(largest_destabilisations(stiffness, geometric, motions.fixed, settings));
+  if (result.weak_nodes > 0) result.margin_without_weak_contact = margin_of(softest(discrete, solution, motions));
   return result;
 }
 

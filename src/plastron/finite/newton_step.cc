@@ -63,9 +63,20 @@ void set_reactions(const assembly::DiscreteShell& discrete, NewtonStep& step) {
 
 constexpr double least_shift = 1e-6, largest_shift = 0.3;
 
-/// Whether the solver met a set of active bounds without a minimiser.
-bool is_indefinite(contact::Status status) {
-  return status == contact::Status::singular || status == contact::Status::not_held;
+/// Returns the contact problem of increments with this stiffness.
+contact::BoxProblem increments(const assembly::DiscreteShell& discrete, const algebra::Matrix& matrix) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  algebra::Vector forces(discrete.space().layout, 6), load(discrete.space().layout, coordinates.width);
+  discrete.residual(displacement_of(discrete), forces);
+  coordinates.add_transposed(forces, load);
+  for (double& value : load.local()) value = -value;
+  return {.matrix = matrix,
+          .apply = [&matrix](const algebra::Vector& z, algebra::Vector& f) { matrix.multiply(z, f); },
+          .load = std::move(load),
+          .lower = coordinates.lower,
+          .upper = coordinates.upper,
+          .may_be_indefinite = true,
+          .pressing = pressing_forces(coordinates, discrete.obstacles, discrete.state)};
 }
 
 double largest_rotation(const algebra::Vector& increment) {
@@ -76,6 +87,10 @@ double largest_rotation(const algebra::Vector& increment) {
 }
 
 }  // namespace
+
+bool has_no_minimiser(contact::Status status) {
+  return status == contact::Status::singular || status == contact::Status::not_held;
+}
 
 std::unique_ptr<assembly::DiscreteShell> with_finite_rotations(const assembly::DiscreteShell& discrete,
                                                                const solution::NodalSolution& solution) {
@@ -93,18 +108,8 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   const auto& layout = discrete.space().layout;
   const NodalCoordinates& coordinates = discrete.coordinates;
   const algebra::Matrix matrix = tangent_matrix(discrete, start.prestress, coordinates);
-  algebra::Vector forces(layout, 6), load(layout, coordinates.width);
-  discrete.residual(displacement_of(discrete), forces);
-  coordinates.add_transposed(forces, load);
-  for (double& value : load.local()) value = -value;
   const algebra::Vector diagonal = matrix.diagonal();
-  contact::BoxProblem box{.matrix = matrix,
-                          .apply = {},
-                          .load = std::move(load),
-                          .lower = coordinates.lower,
-                          .upper = coordinates.upper,
-                          .may_be_indefinite = true,
-                          .pressing = pressing_forces(coordinates, discrete.obstacles, discrete.state)};
+  contact::BoxProblem box = increments(discrete, matrix);
   box.apply = [&](const algebra::Vector& z, algebra::Vector& f) {
     matrix.multiply(z, f);
     for (std::size_t i = 0; box.shift > 0 && i < f.owned().size(); ++i)
@@ -114,7 +119,7 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   const auto expected =
       start.zone.layout() ? assembly::likely_activity(coordinates, start.zone) : std::vector<contact::Activity>{};
   NewtonStep step{.box = contact::solve(box, expected, factor, settings, observer)};
-  while (is_indefinite(step.status()) && box.shift < largest_shift) {
+  while (has_no_minimiser(step.status()) && box.shift < largest_shift) {
     box.shift = box.shift == 0 ? least_shift : 4 * box.shift;
     step.box = contact::solve(box, expected, factor, settings, observer);
   }
@@ -128,6 +133,22 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   set_stresses(discrete, step);
   set_reactions(discrete, step);
   return step;
+}
+
+ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                             const algebra::Matrix& matrix) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  ProblemAtSolution at{.box = increments(discrete, matrix),
+                       .z = {.status = contact::Status::solved,
+                             .z = algebra::Vector(discrete.space().layout, coordinates.width),
+                             .activity = assembly::likely_activity(coordinates, solution.touching)}};
+  at.z.multiplier = at.box.load;
+  for (double& value : at.z.multiplier.local()) value = -value;
+  const std::vector<char> prescribed = coordinates.prescribed();
+  for (std::size_t i = 0; i < prescribed.size(); ++i)
+    if (prescribed[i]) at.z.activity[i] = contact::Activity::prescribed;
+  at.z.positions.assign(at.box.pressing.size(), 0);
+  return at;
 }
 
 assembly::State next_state(const assembly::DiscreteShell& discrete, const StepStart& start, NewtonStep& step) {

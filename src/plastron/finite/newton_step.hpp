@@ -45,11 +45,23 @@ struct NewtonStep {
 std::unique_ptr<assembly::DiscreteShell> with_finite_rotations(const assembly::DiscreteShell& discrete,
                                                                const solution::NodalSolution& solution);
 
+/// Whether the solver met a set of active bounds on which the energy has no minimum.
+bool has_no_minimiser(contact::Status status);
+
 /// Makes the step: gaps (M28), equilibrium (M29) and stiffness (M30) are linearised at the state of the shell. Where the
 /// tangent stiffness is not definite, shifts are tried until the problem has a solution; a shifted step is shorter
 /// (collective). Precondition: finite rotations.
 NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart& start,
                        const contact::Settings& settings, const contact::Observer& observer = {});
+
+/// Returns the contact problem of the last step at a solution, as dual problems need it: increments are 0, bounds act where
+/// nodes touch, multipliers are the reactions (collective). `matrix`: hessian() at the solution; it must outlive the result.
+struct ProblemAtSolution {
+  contact::BoxProblem box;
+  contact::BoxSolution z;
+};
+ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                             const algebra::Matrix& matrix);
 
 /// Returns the state after a step, which is shortened if it is too long. `next.prestress` is shortened alike (collective).
 assembly::State next_state(const assembly::DiscreteShell& discrete, const StepStart& start, NewtonStep& step);

@@ -1,6 +1,10 @@
 #include <plastron/finite/scalar_blocks.hpp>
 #include <plastron/finite/tangent.hpp>
 
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
 namespace plastron::finite {
 
 using assembly::RowMatrix;
@@ -15,17 +19,50 @@ Eigen::MatrixXd of_gradients(const element::BasisAt& basis, const Eigen::Ref<con
          weighted_product(basis.d1, s.col(2), basis.d2) + weighted_product(basis.d2, s.col(2), basis.d1);
 }
 
+/// Returns the sampling of the membrane strain 12, at k x k points where strains are tied.
+const element::Sampling& sampling_of_12(const element::ElementTables& tables) {
+  return *std::ranges::find_if(tables.samplings, [](const element::Sampling& sampling) {
+    return std::ranges::find(sampling.membrane, 2) != sampling.membrane.end();
+  });
+}
+
+/// Returns membrane forces with the negative principal values of N alone, in the coordinates of the cell.
+Eigen::Vector3d compression(const Eigen::Vector3d& n) {
+  Eigen::Matrix2d both;
+  both << n[0], n[2], n[2], n[1];
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(both);
+  const Eigen::Matrix2d negative =
+      eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0).asDiagonal() * eigen.eigenvectors().transpose();
+  return {negative(0, 0), negative(1, 1), negative(0, 1)};
+}
+
+/// Returns the geometric stiffness, tied like the strains; but compressive N work at the points of the strain 12. At their own
+/// points, k x (k + 1) of them, the strains 11 feel motions P_k(xi_2) f(xi_1), which the tied strain 12 does not see: where a cell
+/// is narrow and compressed, they would lower the energy (docs/methods/finite-rotations.md).
 ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses) {
   const element::ElementTables& tables = shell.tables();
+  CellStrain others = stresses;
+  Eigen::MatrixX3d compressive(stresses.rows(), 3);
+  for (Eigen::Index q = 0; q < stresses.rows(); ++q) {
+    compressive.row(q) = compression(stresses.row(q).head<3>().transpose()).transpose();
+    others.row(q).head<3>() -= compressive.row(q);
+  }
   ScalarBlocks k = zero_blocks(tables.nodes_per_cell());
   k.of_u_and_r = of_gradients(tables.quadrature, stresses.middleCols<3>(3));
   for (std::size_t s = 0; s < tables.samplings.size(); ++s) {
     const element::BasisAt& basis = tables.samplings[s].basis;
-    const ShellOperator::SampledStrain sampled = shell.sampled_stresses(s, stresses);
+    const ShellOperator::SampledStrain sampled = shell.sampled_stresses(s, others);
     k.of_u += of_gradients(basis, sampled.leftCols<3>());
     k.of_u_and_r += weighted_product(basis.d1, sampled.col(3), basis.value) +
                     weighted_product(basis.d2, sampled.col(4), basis.value);
   }
+  const element::Sampling& sampling = sampling_of_12(tables);
+  Eigen::MatrixX3d sampled = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(sampling.basis.xi.size()), 3);
+  for (int q = 0; q < tables.points_per_cell(); ++q)
+    for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)])
+      sampled.row(t) += weight * compressive.row(q);
+  k.of_u += of_gradients(sampling.basis, sampled);
   return k;
 }
 
@@ -67,6 +104,12 @@ algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Pr
 }
 
 }  // namespace
+
+Prestress no_prestress(const assembly::DiscreteShell& discrete) {
+  const fem::Space& space = discrete.space();
+  return {.stresses = {space.owned_cells, CellStrain(CellStrain::Zero(discrete.shell.tables().points_per_cell(), 8))},
+          .contact_couples = std::vector<double>(static_cast<std::size_t>(space.layout->owned), 0)};
+}
 
 Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   Prestress result;
@@ -117,6 +160,34 @@ algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Pr
     k.matrix += in_coordinates(coordinates, c, geometric_stiffness(shell, prestress.stresses[c])).matrix;
     return k;
   });
+}
+
+void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                                algebra::Matrix& matrix) {
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const auto width = static_cast<Eigen::Index>(coordinates.width);
+  for (const assembly::ContactRow& row : coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    if (!row.binds || solution.touching.at(row.node)[k] == 0) continue;
+    const obstacle::Gap& gap = coordinates.gaps[k][row.node];
+    Eigen::Matrix3d curvature = discrete.obstacles.now(k).nearest(gap.contact_point).curvature;
+    const double sharpest = 2 / discrete.points[row.node].thickness, sharpness = curvature.norm();
+    if (!(sharpness <= sharpest)) curvature *= sharpest / sharpness;
+    const RowMatrix basis = coordinates.basis[row.node].leftCols(width);
+    const RowMatrix face = basis.topRows<3>() + gap.arm * basis.bottomRows<3>();
+    const double force = solution.pressure.at(row.node)[k] * discrete.points[row.node].weight;
+    const RowMatrix block = -force * face.transpose() * curvature * face;
+    const auto node = static_cast<algebra::LocalIndex>(row.node);
+    matrix.add({&node, 1}, {block.data(), static_cast<std::size_t>(block.size())});
+  }
+  matrix.finish();
+}
+
+algebra::Matrix hessian(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                        const assembly::NodalCoordinates& coordinates) {
+  algebra::Matrix matrix = tangent_matrix(discrete, prestress(discrete, solution), coordinates);
+  add_curvature_of_obstacles(discrete, solution, matrix);
+  return matrix;
 }
 
 }  // namespace plastron::finite

@@ -21,11 +21,15 @@ struct Prestress {
   std::vector<double> contact_couples{};  ///< couples of contact forces along the directors of owned nodes [N m]
 };
 
+/// Returns no stresses and couples: the tangent stiffness is then that of the material.
+Prestress no_prestress(const assembly::DiscreteShell& discrete);
+
 /// Returns the stresses of a solution and the couples of its contact forces.
 Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Applies the geometric stiffness of stresses to (u, r) of a cell's nodes:
-/// int N^{ab} v_a . w_b + M^{ab} (v_a . t_b + w_a . s_b) + Q^a (v_a . t + w_a . s), tied like the strains.
+/// int N^{ab} v_a . w_b + M^{ab} (v_a . t_b + w_a . s_b) + Q^a (v_a . t + w_a . s), tied like the strains; but where these are tied,
+/// compressive N are taken at fewer points, so that cells do not buckle in motions that the tied strains do not see.
 element::CellField geometric_forces(const assembly::ShellOperator& shell, const CellStrain& stresses,
                                     const element::CellField& field);
 
@@ -41,5 +45,15 @@ algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const 
 /// curvature of obstacles (collective).
 algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates);
+
+/// Adds the curvature of obstacles at touching nodes, -eta w (v + z s)' H (v + z s), H the Hessian of the distance. Edges that
+/// are sharper than half the thickness count as rounded by it (collective). Throws ObstacleError.
+void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                                algebra::Matrix& matrix);
+
+/// Returns the second derivative of the potential on the face of touching nodes at a solution (M30) (collective). Throws
+/// ObstacleError.
+algebra::Matrix hessian(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                        const assembly::NodalCoordinates& coordinates);
 
 }  // namespace plastron::finite

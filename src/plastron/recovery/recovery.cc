@@ -59,7 +59,10 @@ class ContinuedResultants {
 
 Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                    const std::vector<Eigen::Vector2d>& xi, Choice choice)
-    : discrete_(discrete), solution_(solution), choice_(std::move(choice)), resultant_points_(discrete, choice_.axis) {
+    : discrete_(discrete),
+      solution_(solution),
+      choice_(std::move(choice)),
+      resultant_points_(discrete, assembly::FieldKind::solution, choice_.axis) {
   const mesh::Shape shape = discrete.space().shape();
   const int degree = discrete.space().degree;
   at_points_ = element::basis_at(shape, degree, xi);

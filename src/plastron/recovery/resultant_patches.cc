@@ -14,12 +14,13 @@ double corner_weight(mesh::Shape shape, int corner, const Eigen::Vector2d& xi) {
   return corner == 0 ? 1 - xi[0] - xi[1] : xi[corner - 1];
 }
 
-std::vector<CellResultants> all_resultants(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
-  const ResultantPoints take(discrete);
+std::vector<CellResultants> all_resultants(const assembly::DiscreteShell& discrete, assembly::FieldKind kind,
+                                           const algebra::Vector& y) {
+  const ResultantPoints take(discrete, kind);
   std::vector<CellResultants> all;
   all.reserve(discrete.space().owned_cells);
   for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell)
-    all.push_back(take(cell, discrete.shell.gather(cell, solution.y)));
+    all.push_back(take(cell, discrete.shell.gather(cell, y)));
   return all;
 }
 
@@ -31,15 +32,15 @@ int patch_degree(const fem::Space& space) {
 
 ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree)
     : shape_(discrete.space().shape()) {
-  const auto resultants = all_resultants(discrete, solution);
+  const auto resultants = all_resultants(discrete, assembly::FieldKind::solution, solution.y);
   patches_ = std::make_shared<const Patches>(discrete, resultants, degree);
   fit(resultants);
 }
 
-ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+ResultantPatches::ResultantPatches(const assembly::DiscreteShell& discrete, const algebra::Vector& motion,
                                    std::shared_ptr<const Patches> patches)
     : shape_(discrete.space().shape()), patches_(std::move(patches)) {
-  fit(all_resultants(discrete, solution));
+  fit(all_resultants(discrete, assembly::FieldKind::motion, motion));
 }
 
 void ResultantPatches::fit(const std::vector<CellResultants>& cells) {
@@ -109,7 +110,7 @@ void ResultantPatches::add_transposed(const assembly::DiscreteShell& discrete, c
   for (algebra::LocalIndex vertex = 0; vertex < patches_->vertices().layout()->owned; ++vertex)
     at(vertex) = patches_->solve(vertex, at(vertex));
   weights.update_ghosts();
-  const ResultantPoints take(discrete);
+  const ResultantPoints take(discrete, assembly::FieldKind::motion);
   for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell) {
     const auto touched = [&](int k) {
       const algebra::LocalIndex vertex = patches_->vertex(cell, k);

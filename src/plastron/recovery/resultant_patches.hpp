@@ -25,8 +25,8 @@ class ResultantPatches {
       : ResultantPatches(discrete, solution, patch_degree(discrete.space())) {}
   /// Fits polynomials of another degree, which the points of a patch must determine.
   ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution, int degree);
-  /// Fits on the patches of another field; making patches costs as much as the fit itself.
-  ResultantPatches(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
+  /// Fits the resultants of a motion on the patches of another field; making patches costs as much as the fit itself.
+  ResultantPatches(const assembly::DiscreteShell& discrete, const algebra::Vector& motion,
                    std::shared_ptr<const Patches> patches);
 
   const std::shared_ptr<const Patches>& patches() const { return patches_; }
@@ -45,7 +45,7 @@ class ResultantPatches {
     SurfaceAxes axes{};
     Resultants weights = Resultants::Zero();
   };
-  /// Adds forces f with f . y = weights . at(...) to the owned cells' nodes (block 6; ghosts need accumulation).
+  /// Adds forces f with f . v = weights . at(...) for motions v to the owned cells' nodes (block 6; ghosts need accumulation).
   /// `point` is set on one rank alone, in a cell that has_patch() (collective).
   void add_transposed(const assembly::DiscreteShell& discrete, const std::optional<Weighed>& point,
                       algebra::Vector& f) const;

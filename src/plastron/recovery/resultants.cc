@@ -20,8 +20,9 @@ Resultants in_other_axes_transposed(const Resultants& weights, const Eigen::Matr
   return result;
 }
 
-ResultantPoints::ResultantPoints(const assembly::DiscreteShell& discrete, std::optional<Vector3d> axis)
-    : discrete_(discrete), axis_(std::move(axis)) {
+ResultantPoints::ResultantPoints(const assembly::DiscreteShell& discrete, assembly::FieldKind kind,
+                                 std::optional<Vector3d> axis)
+    : discrete_(discrete), kind_(kind), axis_(std::move(axis)) {
   const mesh::Shape shape = discrete.space().shape();
   const int degree = discrete.space().degree;
   basis_ = element::basis_at(shape, degree, element::resultant_points(shape, degree));
@@ -38,9 +39,8 @@ CellResultants ResultantPoints::operator()(std::size_t cell, const element::Cell
   const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, basis_.xi, frames);
   const assembly::CrossSection& section = shell.section(cell);
   shell.surface().evaluate(section.thickness, where, basis_.xi, e);
-  const element::CellField half = field / 2;
-  const auto strains =
-      shell.strains_at(cell, field, basis_, tied_, frames, discrete_.has_finite_rotations() ? &half : nullptr);
+  const auto state = discrete_.linearised_at(kind_, cell, field);
+  const auto strains = shell.strains_at(cell, field, basis_, tied_, frames, state ? &*state : nullptr);
 
   CellResultants result{.position = {}, .axes = {}, .values = ResultantRows(static_cast<Eigen::Index>(count), 8)};
   for (std::size_t p = 0; p < count; ++p) {

@@ -77,17 +77,19 @@ struct CellResultants {
 };
 
 /// Computes resultants from strains at element::resultant_points(), where they converge one order faster than
-/// elsewhere. They are linear in the field: without the share of initial strains, which Recovery subtracts.
+/// elsewhere. They are without the share of initial strains, which Recovery subtracts; those of motions are linear.
 class ResultantPoints {
  public:
   /// `axis`: see surface_axes().
-  explicit ResultantPoints(const assembly::DiscreteShell& discrete, std::optional<Vector3d> axis = {});
+  explicit ResultantPoints(const assembly::DiscreteShell& discrete, assembly::FieldKind kind,
+                           std::optional<Vector3d> axis = {});
   /// Returns the resultants of an owned cell with the nodal values `field`.
   CellResultants operator()(std::size_t cell, const element::CellField& field) const;
   const element::BasisAt& basis() const { return basis_; }
 
  private:
   const assembly::DiscreteShell& discrete_;
+  assembly::FieldKind kind_;
   std::optional<Vector3d> axis_;
   element::BasisAt basis_;
   std::vector<Eigen::MatrixXd> tied_;  // maps tied strains from sampling points to resultant points
