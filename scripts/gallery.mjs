@@ -2,7 +2,7 @@
 // folder for each case; CASE: pictures of these alone. Numbers are those of results.json, with the digits of report.html; pictures are what "Save picture" of report.html gives.
 // scripts/gallery.json says for each case which numbers, and which picture where it is not the page's first; one with a
 // "place" has a picture for that place and no section.
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, extname, join, resolve } from 'node:path';
@@ -38,8 +38,14 @@ const pictureFile = (entry) => `${entry.case}${typeof entry.picture === 'string'
 
 const question = (text) => text.match(/\*\*Question\.\*\* ([\s\S]*?)\n\n/)[1].replace(/\s+/g, ' ').trim();
 
-/** The largest difference of the two models, in per cent. */
-function linearity(json) {
+/** The answers of an entry in a file of results. */
+const answers = (entry, json) => entry.answers.map(([label, path]) => `${label} **${numberAt(json, path)}** (\`${path}\`)`).join('; ');
+
+/** The answers with finite rotations where they were computed, else the largest difference of the two models, in per cent. */
+function linearity(entry, json) {
+  if (json.rotations === 'finite') return 'Rotations are finite.';
+  const finite = join(results, `${entry.case}-finite`, 'results.json');
+  if (existsSync(finite)) return `With finite rotations ${answers(entry, JSON.parse(readFileSync(finite, 'utf8')))}.`;
   const part = json.linearity.difference;
   if (part === null) return 'With finite rotations there is no stable solution nearby.';
   const share = part < 1e-4 ? 'less than 0.01' : part < 10 ? Number((100 * part).toPrecision(2)) : 'more than 1000';
@@ -48,21 +54,21 @@ function linearity(json) {
 
 function section(entry) {
   const json = JSON.parse(readFileSync(join(results, entry.case, 'results.json'), 'utf8'));
-  const answers = entry.answers.map(([label, path]) => `${label} **${numberAt(json, path)}** (\`${path}\`)`);
   return `## ${json.title}
 
 ![${json.title}](gallery/${pictureFile(entry)})
 
 ${question(read('cases', entry.case, 'README.md'))}
 
-Answer: ${answers.join('; ')}. ${linearity(json)} [Case](../cases/${entry.case}/README.md)
+Answer: ${answers(entry, json)}. ${linearity(entry, json)} [Case](../cases/${entry.case}/README.md)
 `;
 }
 
 const top = `# Gallery
 
 \`plastron run cases/NAME/case.toml --output out/NAME\` computes a case of [cases](../cases). Each answer has its path in \`results.json\`.
-"Finite rotations" is the largest difference of energy, reactions and displacement from the [model of finite rotations](methods/finite-rotations.md); the run warns from 5 % on.
+Answers are those of the linear model, unless the case says \`rotations = "finite"\`. "Finite rotations" is the largest difference of energy, reactions and displacement from the
+[model of finite rotations](methods/finite-rotations.md). From 5 % on the run warns, and the answer of that model stands beside.
 Red lines bound contact zones, grey surfaces are obstacles. Small displacements are enlarged.
 \`scripts/make-gallery\` makes this page.
 `;

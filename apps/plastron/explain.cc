@@ -227,17 +227,19 @@ const std::vector<Limit>& limits() {
   static const std::vector<Limit> all{
       {"rotations",
        {"large-displacements", "nonlinear"},
-       "Strains are linear in the displacements: no finite rotations, and no change of stiffness by membrane forces.",
+       "By default strains are linear in the displacements: no finite rotations, and no change of stiffness by "
+       "membrane forces.",
        "`linearity` in `results.json`, in the summary and in `report.html`: energy and reactions of the model of "
        "finite rotations, to some per cent; a warning if they differ by 5 %",
-       "a smaller load, a thicker shell, or a program with finite rotations"},
+       "`rotations = \"finite\"` in `[shell]`, with the tangent formulation"},
       {"buckling",
        {"snap-through", "stability"},
-       "The equilibrium is unique: no buckling, no snap-through, no postbuckling.",
+       "With small rotations the equilibrium is unique: no buckling, no snap-through. With finite rotations paths "
+       "around limit points of loads are left out.",
        "`linearity.status`, `unstable` beyond the buckling load; `linearity.buckling`, the membrane forces over the "
        "forces under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
-       "computes buckling loads and their shapes",
-       "a buckling analysis with imperfections by another program"},
+       "computes buckling loads and their shapes; with finite rotations `stability.margin`",
+       "`rotations = \"finite\"`; a buckling analysis with imperfections by another program"},
       {"plasticity",
        {"yield", "yielding"},
        "The law is linear and elastic: no yielding, no rubber, no creep, no damage.",
@@ -272,9 +274,11 @@ const std::vector<Limit>& limits() {
        "a program for dynamics"},
       {"follower-loads",
        {"follower"},
-       "A pressure acts along the normal and on the area of the undeformed shell.",
+       "With small rotations a pressure acts along the normal and on the area of the undeformed shell. Forces and "
+       "couples "
+       "keep their directions in both models.",
        "as for rotations",
-       "a smaller load, or a program with finite rotations"},
+       "`rotations = \"finite\"` and `follows = true` in `[[load]]`"},
       {"beams",
        {"springs", "solids"},
        "The model has shells, rigid bodies and rigid obstacles: no beams, solids or springs.",

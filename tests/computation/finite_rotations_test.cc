@@ -1,5 +1,5 @@
-// Newton's steps to the model of finite rotations (M23-M29), against programs for one meridian or strip whose digits two methods
-// share; buckling loads and natural frequencies (M30), against closed forms.
+// Shells with finite rotations (M23-M29), and the comparison of linear solutions with them, against programs for one meridian or
+// strip whose digits two methods share; stability, buckling loads and natural frequencies (M30), against closed forms.
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/warnings.hpp>
 
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "computation/problems.hpp"
 
@@ -26,7 +27,6 @@ problem::Problem shell_of(const std::array<std::string, 3>& chart, double e, int
   p.shell.sections.common.thickness = Expression(e);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
   p.discretisation = {.degree = 4, .refinements = refinements};
-  p.model.steps = 40;
   return p;
 }
 
@@ -62,7 +62,7 @@ void expect_finite(problem::Problem p, const Expected& expected, double share) {
   if (expected.reaction > 0) {
     EXPECT_NEAR(r.summary.reaction.force.norm() / (share * expected.reaction), 1, expected.tolerance);
   }
-  EXPECT_LT(r.certificate.stationarity, 1e-9);
+  EXPECT_LT(r.certificate.stationarity, 1e-7);  // with a ball, whose curvature the steps leave out
   EXPECT_LT(r.certificate.force_balance, 1e-9);
   EXPECT_LT(r.certificate.moment_balance, 1e-9);
   EXPECT_LT(r.certificate.energy_derivative, 1e-9);
@@ -72,19 +72,19 @@ void expect_finite(problem::Problem p, const Expected& expected, double share) {
   EXPECT_FALSE(r.model.has_value());
 }
 
-/// Compares both the steps from the linear solution and the solution with finite rotations with energy and reaction of `share`
-/// of the reference's shell.
+/// Compares the solution with finite rotations, and nearly the comparison of the linear solution, with energy and reaction of
+/// `share` of the reference's shell.
 void expect_model(const problem::Problem& p, const Expected& expected, double share = 1) {
   expect_finite(p, expected, share);
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_TRUE(r.model.has_value());
-  EXPECT_TRUE(r.model->is_converged);
   EXPECT_TRUE(r.model->is_stable);
   EXPECT_LE(r.model->steps, 8);
+  constexpr double some_per_cent = 0.03;
   const auto& numbers = r.model->quantities;
-  EXPECT_NEAR(numbers[0].finite / (share * expected.energy), 1, expected.tolerance);
+  EXPECT_NEAR(numbers[0].finite / (share * expected.energy), 1, some_per_cent);
   if (expected.reaction > 0) {
-    EXPECT_NEAR(numbers[1].finite / (share * expected.reaction), 1, expected.tolerance);
+    EXPECT_NEAR(numbers[1].finite / (share * expected.reaction), 1, some_per_cent);
   }
 }
 
@@ -149,7 +149,6 @@ TEST(FiniteRotations, AreTheSameToSomePerCentWithoutManySteps) {
   problem::Problem p = disk_of({"x", "y", "1.01 + e/2 - sqrt(1 - x^2 - y^2)"}, 0.02, std::sin(0.5));
   p.shell.loads.on_areas = {force(0, 0, -0.002)};
   p.shell.obstacles.all = {table(0)};
-  p.model.steps = 1;
   const Result r = solve(p, MPI_COMM_WORLD);
   EXPECT_LE(r.model->steps, 2);
   EXPECT_NEAR(r.model->quantities[0].finite / 8.92086342876441e-06, 1, 0.02);
@@ -180,11 +179,55 @@ TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
   EXPECT_NEAR(r.summary.max_rotation, theta, 1e-9);
 }
 
+/// A quarter of a ring of radius 1 in plane strain under pressure from outside; its symmetry allows the ring's buckling mode.
+problem::Problem ring_under(double pressure, double e, bool follows) {
+  problem::Problem p = strip_of({"sin(x)", "y", "-cos(x)"}, e, std::numbers::pi / 2, 1);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.supports.push_back(
+      {.boundary = "left",
+       .components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::rotation, Direction::x)}});
+  p.shell.supports.push_back(
+      {.boundary = "right",
+       .components = {fixed(Unknown::displacement, Direction::z), fixed(Unknown::rotation, Direction::z)}});
+  p.shell.loads.on_areas = {{.pressure = Expression(pressure), .follows = follows}};
+  return p;
+}
+
+// The radius becomes lambda: A gamma lambda + D (lambda - 1) = p lambda, gamma = (lambda^2 - 1) / 2.
+TEST(FollowerPressure, WidensARingAsItsAreaGrows) {
+  constexpr double e = 0.05, pressure = 0.002, A = e / (1 - 0.09), D = A * e * e / 12;
+  const Result r = solve(ring_under(-pressure, e, true), MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  double lambda = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double f = A * (lambda * lambda - 1) / 2 * lambda + D * (lambda - 1) - pressure * lambda;
+    lambda -= f / (A * (3 * lambda * lambda - 1) / 2 + D - pressure);
+  }
+  EXPECT_NEAR(r.summary.max_displacement / (lambda - 1), 1, 1e-6);
+  const double gamma = (lambda * lambda - 1) / 2;
+  const double energy = 0.1 * std::numbers::pi / 4 * (A * gamma * gamma + D * (lambda - 1) * (lambda - 1));
+  EXPECT_NEAR(r.summary.energy.total() / energy, 1, 1e-6);
+  EXPECT_LT(r.certificate.force_balance, 1e-9);
+  EXPECT_LT(r.certificate.moment_balance, 1e-9);
+}
+
+// A thin ring buckles at 3 D / R^3 if the pressure stays normal to it, and at 4 D / R^3 if it keeps its directions.
+TEST(FollowerPressure, BucklesARingAtThreeQuartersOfTheDeadPressure) {
+  constexpr double e = 0.01, D = e * e * e / (12 * (1 - 0.09));
+  for (const auto& [part, follows, critical] :
+       {std::tuple(2.7, true, 3.0), std::tuple(3.3, true, 3.0), std::tuple(3.3, false, 4.0)}) {
+    const Result r = solve(ring_under(part * D, e, follows), MPI_COMM_WORLD);
+    EXPECT_EQ(r.status, part < critical ? contact::Status::solved : contact::Status::unstable) << part << follows;
+    ASSERT_TRUE(r.stability.has_value());
+    EXPECT_NEAR(r.stability->margin, 1 - part / critical, 0.01) << part << follows;
+  }
+}
+
 // Loads times 1e-6 reproduce the linear model.
 TEST(FiniteRotations, ThatAreSmallAreThoseOfTheLinearModel) {
   problem::Problem p = disk_of({"x", "y", "1.01 + e/2 - sqrt(1 - x^2 - y^2)"}, 0.05, std::sin(0.5), 2);
   p.shell.loads.on_areas = {force(1e-9, 2e-9, -2e-8)};
-  p.model.check = false;
+  p.checks_model = false;
   const Result small = solve(p, MPI_COMM_WORLD);
   p.shell.rotations = element::Rotations::finite;
   const Result finite = solve(p, MPI_COMM_WORLD);
@@ -199,7 +242,7 @@ problem::Problem pinned_strip(double e, double width = 0.1) {
   problem::Problem p = shell_of({"x", "y", "0"}, e, 0);
   p.domain = domain::Rectangle{.to = {1, width}, .cells = {8, 1}};
   p.discretisation.degree = 6;
-  p.model.check = false;
+  p.checks_model = false;
   p.shell.supports = {held("left", {Direction::x, Direction::z}), held("right", {Direction::z}), in_plane("bottom"),
                       in_plane("top")};
   p.shell.loads.on_edges = {{.boundary = "right", .force = vector(-e * e * e / (12 * (1 - 0.09)), 0, 0)}};

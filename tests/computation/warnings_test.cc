@@ -115,7 +115,7 @@ TEST(LinearModel, of_a_plate_that_bends_freely_is_left_with_its_rotations) {
   EXPECT_THAT(r.warnings, Contains(AllOf(HasSubstr("linear model is left"), HasSubstr("thicknesses"))));
   EXPECT_EQ(told, r.warnings);
   EXPECT_GT(r.summary.max_rotation, 1);
-  p.model.check = false;
+  p.checks_model = false;
   EXPECT_THAT(solve(p, MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("linear model is left"))));
 }
 

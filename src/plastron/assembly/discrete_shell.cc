@@ -1,6 +1,7 @@
 #include <plastron/assembly/discrete_shell.hpp>
 
 #include <plastron/assembly/deformed.hpp>
+#include <plastron/assembly/follower_pressure.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/geometry/frame.hpp>
 
@@ -22,13 +23,15 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                       description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
   auto load = load_vector(shell, description.loads);
+  auto follower = follower_pressure(shell, description.loads);
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
                                                                 .full_load = std::move(load),
                                                                 .obstacles_at_start = description.obstacles,
                                                                 .tangency = description.tangency,
                                                                 .supports = description.supports,
-                                                                .rotations = description.rotations});
+                                                                .rotations = description.rotations,
+                                                                .follower_pressure = std::move(follower)});
   linearise(*discrete, std::move(state));
   return discrete;
 }
@@ -47,6 +50,9 @@ void linearise_deformed(DiscreteShell& discrete, std::vector<NodeSupport> suppor
   discrete.places = body_places(discrete.space(), discrete.points, y);
   auto space = turned_space(discrete.shell.space_pointer(), discrete.points, discrete.moved, discrete.places);
   turn_body_loads(discrete.space(), *space, discrete.state.load_factor, discrete.load);
+  if (!discrete.follower_pressure.empty())
+    algebra::axpy(discrete.state.load_factor, change_of_follower_forces(discrete.shell, discrete.follower_pressure, y),
+                  discrete.load);
   algebra::axpy(-discrete.state.load_factor, initial_forces(discrete.shell), discrete.load);  // part of stresses()
   discrete.coordinates =
       nodal_coordinates(std::move(space), discrete.moved, remaining_supports(std::move(supports), discrete.points, y),

@@ -27,6 +27,7 @@ struct DiscreteShell {
   element::Tangency tangency;
   std::vector<Support> supports{};
   element::Rotations rotations = element::Rotations::small;
+  std::vector<Eigen::VectorXd> follower_pressure{};  ///< see follower_pressure.hpp
 
   // Data of the state:
   State state{};

@@ -15,10 +15,11 @@ using VectorExpression = std::array<geometry::Expression, 3>;
 /// A load that a program computes itself, as a function of x and y.
 using VectorFunction = std::function<Eigen::Vector3d(double x, double y)>;
 
-/// Dead load per unit mid-surface area, on the whole surface or on some of its regions.
+/// Load per unit mid-surface area, dead unless it follows, on the whole surface or on some of its regions.
 struct AreaLoad {
   VectorExpression force{};            ///< p, Cartesian [N/m^2]
   geometry::Expression pressure{};     ///< force along a_3, positive along the normal [N/m^2]
+  bool follows = false;                ///< with finite rotations `pressure` acts on the deformed surface
   VectorExpression couple{};           ///< m, does work on r [N m/m^2]
   VectorFunction force_function{};     ///< added to `force`; empty in loads from case files
   VectorFunction couple_function{};    ///< added to `couple`

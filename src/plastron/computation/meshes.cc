@@ -119,8 +119,7 @@ bool Meshes::is_fine_enough_to_compare(int number) const {
   constexpr std::int64_t fine = 10'000;  // unknowns
   const problem::Problem& p = run_.problem;
   const bool is_last_but_one = !p.accuracy && number + 1 == p.discretisation.refinements;
-  return p.steps.empty() && p.model.steps == 1 && !run_.result.model &&
-         (is_last_but_one || run_.result.levels.back().unknowns > fine);
+  return p.steps.empty() && !run_.result.model && (is_last_but_one || run_.result.levels.back().unknowns > fine);
 }
 
 std::vector<algebra::Vector> Meshes::fields_to_transfer() const {

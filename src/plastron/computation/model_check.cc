@@ -14,12 +14,9 @@ namespace {
 /// Below this part of the largest force of obstacles, supports and loads a force is not judged.
 constexpr double small_force = 1e-3;
 
-/// Number of steps that are made as long as their numbers are rough.
-constexpr int steps_if_rough = 8;
+constexpr int most_steps = 8;
 /// Change of a number by a step, relative, above which its numbers are rough.
 constexpr double rough_change = 0.1;
-/// Size of a step that changes nothing more, see NewtonStep::is_smaller_than().
-constexpr double nothing = 1e-6;
 
 double largest_force(const solution::Summary& summary) {
   double largest = std::max(summary.loads.force.norm(), summary.support_reaction.force.norm());
@@ -80,15 +77,15 @@ void set_finite_values(const finite::NewtonStep& step, double displacement, cons
 
 }  // namespace
 
-ModelCheck check_model(const Solution& solution, const solution::Summary& summary, const problem::ModelSettings& model,
-                       const contact::Settings& settings, const Observer& observer) {
+ModelCheck check_model(const Solution& solution, const solution::Summary& summary, const contact::Settings& settings,
+                       const Observer& observer) {
   const assembly::DiscreteShell& linear = *solution.discrete;
   const contact::Observer follow{.stop = [&] { return wants_to_stop(observer, linear.space().layout->comm); }};
   const auto discrete = finite::with_finite_rotations(linear, solution.nodal);
   finite::StepStart start{.prestress = finite::prestress(linear, solution.nodal), .zone = solution.nodal.touching};
   ModelCheck check;
   std::vector<ModelQuantity> numbers = linear_numbers(summary);
-  for (bool is_rough = true; check.steps < model.steps || (is_rough && check.steps < steps_if_rough);) {
+  for (bool is_rough = true; is_rough && check.steps < most_steps;) {
     finite::NewtonStep step = finite::newton_step(*discrete, start, settings, follow);
     ++check.steps;
     check.factorisations += step.factorisations;
@@ -98,8 +95,6 @@ ModelCheck check_model(const Solution& solution, const solution::Summary& summar
     const std::vector<ModelQuantity> before = numbers;
     set_finite_values(step, solution::largest_displacement(discrete->state.displacement), solution, numbers);
     check.is_stable = step.shift == 0;
-    check.is_converged = step.is_smaller_than(nothing, summary.max_displacement) && check.is_stable;
-    if (check.is_converged) break;
     is_rough = !check.is_stable || step.is_too_long() || largest_change(before, numbers) > rough_change;
     start = std::move(step.next);
   }

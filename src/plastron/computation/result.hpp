@@ -141,7 +141,6 @@ struct ModelCheck {
   double relative_displacement = 0;  ///< largest |u| / e of the linear solution
   double rotation = 0;               ///< largest |r| of the linear solution [rad]
   int steps = 0;                     ///< number of Newton steps
-  bool is_converged = false;  ///< whether a further step changes nothing: the quantities are those of the other model
   int factorisations = 0;
   double seconds = 0;
   std::vector<ModelQuantity> quantities{};

@@ -101,14 +101,14 @@ void Run::take(LevelResult level) {
 }
 
 void Run::check_model(double time) {
-  if (!problem.model.check || problem.shell.rotations == element::Rotations::finite) return;
+  if (!problem.checks_model || problem.shell.rotations == element::Rotations::finite) return;
   if (result.status != contact::Status::solved && result.status != contact::Status::inaccurate) return;
   Stopwatch watch;
   ModelCheck check{.status = contact::Status::infeasible};
   contact::Settings settings = task_after_first_level(last_level()).settings;
   settings.solver = nullptr;  // others need a definite matrix
   try {
-    check = computation::check_model(solution(), result.summary, problem.model, settings, observer);
+    check = computation::check_model(solution(), result.summary, settings, observer);
   } catch (const assembly::SupportError&) {  // the deformed shell has no box: the check ends without a solution
   } catch (const obstacle::ObstacleError&) {
   }

@@ -38,9 +38,8 @@ std::string instant_text(const Result& result) {
 /// Returns where the solution that was compared lies, and what to do.
 std::string model_advice(const ModelCheck& check) {
   return fmt::format(
-      "the displacement is up to {:.3g} thicknesses, the rotation up to {:.3g} rad; use a smaller load, a thicker "
-      "shell "
-      "or a program for finite rotations",
+      "the displacement is up to {:.3g} thicknesses, the rotation up to {:.3g} rad; set rotations = \"finite\" in "
+      "[shell]",
       check.relative_displacement, check.rotation);
 }
 
@@ -50,9 +49,8 @@ std::string linear_model_text(const Result& result) {
   for (const ModelQuantity& q : check.quantities)
     if (q.difference() > notable_model_error)
       numbers.push_back(fmt::format("{} {:.3g} {} and not {:.3g} {}", q.name, q.finite, q.unit, q.linear, q.unit));
-  return fmt::format("{}the linear model is left: the model of finite rotations has{} {}; {}{}", instant_text(result),
-                     check.is_converged ? "" : ", nearly,", fmt::join(numbers, ", "), model_advice(check),
-                     check.is_converged ? "" : "; [model] steps = 40 computes these numbers to the end");
+  return fmt::format("{}the linear model is left: the model of finite rotations has, nearly, {}; {}",
+                     instant_text(result), fmt::join(numbers, ", "), model_advice(check));
 }
 
 std::string unstable_text(const Result& result) {
@@ -67,8 +65,8 @@ std::string unstable_text(const Result& result) {
 std::string buckling_text(double buckling) {
   return fmt::format(
       "the membrane forces are {:.2g} times those under which a perfect shell buckles, contact held, and real ones "
-      "buckle from half of these on; the linear model knows no buckling; use a smaller load, a thicker shell or a "
-      "program for finite rotations",
+      "buckle from half of these on; the linear model knows no buckling; set rotations = \"finite\" in [shell], use a "
+      "smaller load or a thicker shell",
       buckling);
 }
 
@@ -146,16 +144,15 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem) {
   }
   if (worst <= 1) return {};
   const bool triangles = d.cells == mesh::Shape::triangle;
-  return {fmt::format(
-      "{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, {:.3g} "
-      "times the thickness, and displacements in bending come out more than 10 % too small from about {:.2g} m on; {}, "
-      "or "
-      "refine {} more time{}",
-      triangles ? "triangles" : "quadrilaterals", d.degree, size, size / thickness, limit,
-      triangles ? (d.degree == 1 ? "take cells = \"quadrilateral\" with tying, or degree 2"
-                                 : "take cells = \"quadrilateral\" with tying")
-                : "set tying = true",
-      std::ceil(std::log2(worst)), worst > 2 ? "s" : "")};
+  return {
+      fmt::format("{} of degree {} without tying are likely to lock: sides of the finest mesh are up to {:.3g} m long, "
+                  "{:.3g} times the thickness, and displacements in bending come out more than 10 % too small from "
+                  "about {:.2g} m on; {}, or refine {} more time{}",
+                  triangles ? "triangles" : "quadrilaterals", d.degree, size, size / thickness, limit,
+                  triangles ? (d.degree == 1 ? "take cells = \"quadrilateral\" with tying, or degree 2"
+                                             : "take cells = \"quadrilateral\" with tying")
+                            : "set tying = true",
+                  std::ceil(std::log2(worst)), worst > 2 ? "s" : "")};
 }
 
 std::vector<std::string> sideways_warnings(const solution::Summary& summary) {
@@ -235,13 +232,12 @@ std::vector<std::string> geometry_warnings(const Result& result) {
   const auto worst = std::ranges::max_element(goals, {}, excess);
   if (worst == goals.end() || !(excess(*worst) > 1)) return {};
   const estimation::GeometryDeviation& mesh = *result.estimates->geometry;
-  return {fmt::format(
-      "the mesh of the file limits the accuracy: {} changes by {:.2g} % if the cells are fitted to their neighbours; "
-      "the mesh deviates from the part by about {:.2g} m at ({:.4g}, {:.4g}, {:.4g}) m; export cells of a higher "
-      "order, or "
-      "smaller ones",
-      worst->name, 100 * *worst->geometry_error / std::abs(worst->value), mesh.largest, mesh.place[0], mesh.place[1],
-      mesh.place[2])};
+  return {
+      fmt::format("the mesh of the file limits the accuracy: {} changes by {:.2g} % if the cells are fitted to their "
+                  "neighbours; the mesh deviates from the part by about {:.2g} m at ({:.4g}, {:.4g}, {:.4g}) m; export "
+                  "cells of a higher order, or smaller ones",
+                  worst->name, 100 * *worst->geometry_error / std::abs(worst->value), mesh.largest, mesh.place[0],
+                  mesh.place[1], mesh.place[2])};
 }
 
 std::vector<std::string> body_warnings(const solution::Summary& summary) {
@@ -272,11 +268,10 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
   const contact::Tolerances& used = result.levels.back().tolerances;
   if (used.gap > notable_loosening * asked.gap_tolerance ||
       used.multiplier > notable_loosening * asked.multiplier_tolerance)
-    warnings.push_back(
-        fmt::format("rounding has loosened the tolerances of contact: gaps are closed to {:.1g} of the largest "
-                    "displacement at contact "
-                    "nodes, signs of reactions hold to {:.1g} of the largest (asked: {:.1g} and {:.1g})",
-                    used.gap, used.multiplier, asked.gap_tolerance, asked.multiplier_tolerance));
+    warnings.push_back(fmt::format(
+        "rounding has loosened the tolerances of contact: gaps are closed to {:.1g} of the largest displacement at "
+        "contact nodes, signs of reactions hold to {:.1g} of the largest (asked: {:.1g} and {:.1g})",
+        used.gap, used.multiplier, asked.gap_tolerance, asked.multiplier_tolerance));
   return warnings;
 }
 

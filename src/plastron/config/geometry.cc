@@ -105,9 +105,8 @@ std::vector<Section> geometry_sections() {
         key("file", Kind::text, {},
             "instead of domain and chart: a mesh in space, whose quadrilaterals or triangles are the mid-surface. A "
             "Gmsh file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical "
-            "curves "
-            "name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. Facets (.stl, "
-            ".obj, .ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
+            "curves name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. Facets "
+            "(.stl, .obj, .ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
         key("size", &SpaceReading::size, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
             "sides of the cells that are made from facets. If not given: about 2000 quadrilaterals on the surface. "

@@ -16,6 +16,8 @@ void read_edge_load(Table& load, problem::Problem& problem) {
   if (load.has("pressure"))
     load.report_key("pressure", "a load on a boundary has no pressure", "force, couple",
                     "an edge is loaded by force = [x, y, z] per length");
+  if (load.has("follows"))
+    load.report_key("follows", "a load on a boundary does not follow the shell", "", "remove follows");
   if (load.has("region"))
     load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
   const assembly::EdgeLoad result{
@@ -26,6 +28,17 @@ void read_edge_load(Table& load, problem::Problem& problem) {
   }
 }
 
+/// Only pressure follows, and only with finite rotations.
+void check_follower(Table& load, const assembly::AreaLoad& result, const problem::Problem& problem) {
+  if (!result.follows) return;
+  if (!load.has("pressure") || load.has("force") || load.has("couple"))
+    load.report_key("follows", "a load that follows the shell is a pressure alone", "pressure",
+                    "write force and couple in another [[load]]");
+  if (problem.shell.rotations == element::Rotations::small)
+    load.report_key("follows", "with small rotations no load follows the shell", "",
+                    "write rotations = \"finite\" in [shell]");
+}
+
 void read_area_load(Table& load, problem::Problem& problem) {
   assembly::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
   if (load.has("pressure"))
@@ -34,6 +47,8 @@ void read_area_load(Table& load, problem::Problem& problem) {
     load.effective["pressure"] = 0.0;
   if (load.has("region"))
     result.regions = load.name_list("region", "region", load.reading().regions()).value_or(std::vector<std::string>{});
+  result.follows = load.boolean("follows").value_or(false);
+  check_follower(load, result, problem);
   problem.shell.loads.on_areas.push_back(std::move(result));
 }
 
@@ -42,8 +57,9 @@ void read_area_load(Table& load, problem::Problem& problem) {
 std::vector<Section> load_sections() {
   return {{"load",
            "[[load]]",
-           "A dead load, with at least one of force, pressure and couple. It acts per area of the mid-surface, or per "
-           "length of a boundary if one is named. Several loads add up.",
+           "A load with at least one of force, pressure and couple. It is dead (it keeps its direction and is measured "
+           "per area of the undeformed shell), unless it follows. It acts per area of the mid-surface, or per length "
+           "of a boundary if one is named. Several loads add up.",
            {key("boundary", Kind::name_or_names, {},
                 "one or several boundaries of the domain; if not given, the load acts on the surface"),
             key("region", Kind::name_or_names, {},
@@ -51,6 +67,8 @@ std::vector<Section> load_sections() {
                 "with boundary"),
             key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
             key("pressure", Kind::field, {.unit = "N/m^2"}, "force along the normal a3; not on a boundary"),
+            key("follows", Kind::boolean, {.fallback = "false"},
+                "true: with finite rotations the pressure acts along the normal and on the area of the deformed shell"),
             key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian couple, which does work on r")}}};
 }
 

@@ -24,12 +24,9 @@ Section model_section() {
       "model",
       "[model]",
       "Validity of the linear model.",
-      {key("check", &problem::ModelSettings::check, {.fallback = "true"},
-           "false: do not compare the solution with the model of finite rotations"),
-       key("steps", &problem::ModelSettings::steps, {.fallback = "1", .range = Range::between(1, 50)},
-           "largest number of Newton steps towards that model. One gives its energy and reactions to some per cent, at "
-           "the cost of about one contact problem on the last mesh. Four to eight steps give them exactly, unless the "
-           "shell snaps through on the way")}};
+      {key("check", &problem::Problem::checks_model, {.fallback = "true"},
+           "false: do not compare the solution with the model of finite rotations. The comparison gives its energy and "
+           "reactions to some per cent, at the cost of one or two contact problems on one of the meshes")}};
 }
 
 Section modes_section() {
@@ -76,7 +73,7 @@ void read_contact(Table& root, problem::Problem& problem) {
 }
 
 void read_model(Table& root, problem::Problem& problem) {
-  root.in_table("model", [&](Table& model) { model.fill(problem.model); });
+  root.in_table("model", [&](Table& model) { model.fill(problem); });
 }
 
 void read_modes(Table& root, problem::Problem& problem) {

@@ -67,12 +67,10 @@ std::string_view explain(Status status) {
       return "Solved: no penetration at nodes, no tensile contact pressure.";
     case Status::iteration_limit:
       return "The active set still changed when the iterations ran out; start from a coarser mesh or a smaller load, "
-             "or "
-             "allow more iterations.";
+             "or allow more iterations.";
     case Status::cycling:
       return "The same active sets came back and the energy could not be lowered beyond rounding; loosen the "
-             "tolerances "
-             "of gap and multiplier, or start from a coarser mesh.";
+             "tolerances of gap and multiplier, or start from a coarser mesh.";
     case Status::infeasible:
       return "Some unknown has a lower bound above its upper bound; look for a support that presses the structure into "
              "an obstacle, for obstacles too close to each other, or for a force that presses one obstacle through the "
@@ -96,8 +94,7 @@ std::string_view explain(Status status) {
              "result; use a thicker shell, a coarser mesh of higher degree, or a finer one where contact was missed.";
     case Status::gap_not_met:
       return "The gaps of curved obstacles, linearised where the shell was found, did not come to rest; use a smaller "
-             "load or a finer "
-             "mesh, or write linearised = true for the gaps of the undeformed shell.";
+             "load or a finer mesh, or write linearised = true for the gaps of the undeformed shell.";
     case Status::no_equilibrium:
       return "With finite rotations no equilibrium was found near the state from which the steps started: loads or "
              "obstacles move the structure too far at once, or it can carry no more; let them come in by [[step]]s of "
@@ -107,8 +104,7 @@ std::string_view explain(Status status) {
              "snap away from it; use a smaller load, or let obstacles press it instead of loads.";
     case Status::accuracy_not_reached:
       return "The contact problem was solved, but not as accurately as was asked for: the best mesh that the limits of "
-             "unknowns and "
-             "time allow is reported; allow more, or ask for less.";
+             "unknowns and time allow is reported; allow more, or ask for less.";
     case Status::interrupted:
       return "The computation was interrupted; what is reported is of the last mesh that was finished.";
   }

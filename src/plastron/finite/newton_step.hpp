@@ -33,10 +33,6 @@ struct NewtonStep {
   /// Rotations above this limit are shortened, because longer steps can diverge [rad].
   static constexpr double longest_rotation = 0.5;
   bool is_too_long() const { return largest_rotation > longest_rotation; }
-  /// Whether rotations are below `part` and displacements below `part` of `displacement`.
-  bool is_smaller_than(double part, double displacement) const {
-    return largest_rotation <= part && largest_displacement <= part * displacement;
-  }
   contact::Status status() const { return box.status; }
 };
 

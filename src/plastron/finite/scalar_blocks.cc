@@ -13,6 +13,12 @@ Eigen::MatrixXd weighted_product(const Eigen::MatrixXd& a, const Eigen::VectorXd
   return a.transpose() * weights.asDiagonal() * b;
 }
 
+constraints::NodeColumns on_both_sides(const assembly::NodalCoordinates& coordinates, std::size_t cell,
+                                       RowMatrix matrix) {
+  const RowMatrix half = assembly::in_coordinates(coordinates, cell, std::move(matrix)).matrix;
+  return assembly::in_coordinates(coordinates, cell, half.transpose());
+}
+
 constraints::NodeColumns in_coordinates(const assembly::NodalCoordinates& coordinates, std::size_t cell,
                                         const ScalarBlocks& blocks) {
   RowMatrix k = RowMatrix::Zero(6 * blocks.of_u.rows(), 6 * blocks.of_u.rows());
@@ -23,8 +29,7 @@ constraints::NodeColumns in_coordinates(const assembly::NodalCoordinates& coordi
       k.block<3, 3>(6 * j + 3, 6 * i).diagonal().setConstant(blocks.of_u_and_r(i, j));
       k.block<3, 3>(6 * i + 3, 6 * j + 3).diagonal().setConstant(blocks.of_r(i, j));
     }
-  const RowMatrix half = assembly::in_coordinates(coordinates, cell, std::move(k)).matrix;
-  return assembly::in_coordinates(coordinates, cell, half.transpose());
+  return on_both_sides(coordinates, cell, std::move(k));
 }
 
 }  // namespace plastron::finite

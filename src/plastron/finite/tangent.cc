@@ -1,3 +1,4 @@
+#include <plastron/assembly/follower_pressure.hpp>
 #include <plastron/finite/scalar_blocks.hpp>
 #include <plastron/finite/tangent.hpp>
 
@@ -87,6 +88,21 @@ algebra::Vector linearised_at(const assembly::DiscreteShell& discrete) {
                                                                          : algebra::Vector(discrete.space().layout, 6);
 }
 
+/// Returns the stiffness of a cell by stresses and by pressure that follows it.
+constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
+                                             const assembly::NodalCoordinates& coordinates, std::size_t cell,
+                                             const assembly::CellGeometry& at) {
+  constraints::NodeColumns k =
+      in_coordinates(coordinates, cell, geometric_stiffness(discrete.shell, prestress.stresses[cell]));
+  const auto& pressure = discrete.follower_pressure;
+  if (discrete.has_finite_rotations() && !pressure.empty() && pressure[cell].size() > 0)
+    k.matrix +=
+        on_both_sides(coordinates, cell,
+                      discrete.state.load_factor * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
+            .matrix;
+  return k;
+}
+
 /// Adds the curvature of the spheres to the stiffness of the cells, `of_cell`.
 template <class OfCell>
 algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
@@ -145,8 +161,10 @@ algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
 
 algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                  const assembly::NodalCoordinates& coordinates) {
+  const ShellOperator& shell = discrete.shell;
+  const algebra::Vector y = linearised_at(discrete);
   return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
-    return in_coordinates(coordinates, c, geometric_stiffness(discrete.shell, prestress.stresses[c]));
+    return stiffness_by_forces(discrete, prestress, coordinates, c, shell.geometry(c, shell.gather(c, y)));
   });
 }
 
@@ -155,9 +173,9 @@ algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Pr
   const ShellOperator& shell = discrete.shell;
   const algebra::Vector y = linearised_at(discrete);
   return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
-    constraints::NodeColumns k =
-        assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, y)));
-    k.matrix += in_coordinates(coordinates, c, geometric_stiffness(shell, prestress.stresses[c])).matrix;
+    const assembly::CellGeometry at = shell.geometry(c, shell.gather(c, y));
+    constraints::NodeColumns k = assembly::material_stiffness(shell, coordinates, c, at);
+    k.matrix += stiffness_by_forces(discrete, prestress, coordinates, c, at).matrix;
     return k;
   });
 }

@@ -69,10 +69,6 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return Json(r.model ? computation::word_of(*r.model) : "not_made"); }, Form::text},
       {"linearity/steps", "1", "Newton steps towards finite rotations",
        [](const Result& r) { return Json(r.model ? r.model->steps : 0); }, Form::integer},
-      {"linearity/is_converged", "-",
-       "true if a further step would change nothing: the finite values are then those of the model, else right to some "
-       "per cent",
-       [](const Result& r) { return Json(r.model && r.model->is_converged); }, Form::flag},
       {"linearity/time", "1", "time of the solution of the comparison; null without steps",
        [](const Result& r) { return r.model && !r.history.empty() ? number(r.model->time) : Json(nullptr); }},
       {"linearity/difference", "1",
@@ -95,9 +91,8 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.max_strain); }},
       {"stability/margin", "1",
        "with finite rotations, smallest theta of K_T v = theta K_M v on the touching face, K_T the tangent stiffness "
-       "and K_M "
-       "its part of the material: 1 without stresses, 0 at a critical state; a warning below 0.05; null with small "
-       "rotations",
+       "and K_M its part of the material: 1 without stresses, 0 at a critical state; a warning below 0.05; null with "
+       "small rotations",
        [](const Result& r) { return r.stability ? number(r.stability->margin) : Json(nullptr); }},
       {"stability/margin_without_weak_contact", "1",
        "the same if nodes may leave their obstacle whose eta is below 0.01 of its largest; null if nothing holds the "
@@ -136,7 +131,7 @@ std::span<const Quantity<computation::ModelQuantity>> model_quantities() {
       {"name", "-", "name of the number", [](const ModelQuantity& q) { return Json(q.name); }, Form::text},
       {"unit", "-", "unit of the number", [](const ModelQuantity& q) { return Json(q.unit); }, Form::text},
       {"linear", "see unit", "its value in the linear model", [](const ModelQuantity& q) { return number(q.linear); }},
-      {"finite", "see unit", "its value in the model of finite rotations, after linearity.steps",
+      {"finite", "see unit", "nearly its value in the model of finite rotations",
        [](const ModelQuantity& q) { return number(q.finite); }},
       {"difference", "1", "relative error of the linear value",
        [](const ModelQuantity& q) { return number(q.difference()); }},
@@ -510,6 +505,10 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
        [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }, Form::triple},
       {"stability_margin", "1", "stability/margin at this instant; null with small rotations",
        [](const HistoryEntry& h) { return h.stability ? number(h.stability->margin) : Json(nullptr); }},
+      {"margin_without_weak_contact", "1", "stability/margin_without_weak_contact at this instant",
+       [](const HistoryEntry& h) {
+         return h.stability ? number(h.stability->margin_without_weak_contact) : Json(nullptr);
+       }},
       {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); },
        Form::integer},
       {"factorisations", "1", "numeric factorisations",

@@ -57,12 +57,6 @@ struct Probe {
   std::optional<Eigen::Vector3d> in_space{};  ///< if given, `at` is the nearest point: locate_points() sets it [m]
 };
 
-/// Comparison of the solution with the model of finite rotations.
-struct ModelSettings {
-  bool check = true;  ///< false: no comparison
-  int steps = 1;      ///< largest number of Newton steps
-};
-
 /// Numbers of modes to compute about the last solution, with contact held.
 struct Modes {
   int buckling = 0;
@@ -112,8 +106,8 @@ struct Problem {
   Linearisation linearisation{};
   Output output{};
   Modes modes{};
-  ModelSettings model{};
-  bool admissible = false;  ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
+  bool checks_model = true;  ///< small rotations: the solution is compared with the model of finite rotations
+  bool admissible = false;   ///< bounds of gaps are lifted until the shell is outside the obstacles also between nodes
 };
 
 /// Sets the points of Omega of probes, lines and supports that are given in space: the nearest points of the mid-surface,
