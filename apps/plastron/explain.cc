@@ -275,8 +275,7 @@ const std::vector<Limit>& limits() {
       {"follower-loads",
        {"follower"},
        "With small rotations a pressure acts along the normal and on the area of the undeformed shell. Forces and "
-       "couples "
-       "keep their directions in both models.",
+       "couples keep their directions in both models.",
        "as for rotations",
        "`rotations = \"finite\"` and `follows = true` in `[[load]]`"},
       {"beams",

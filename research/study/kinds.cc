@@ -2,6 +2,8 @@
 
 #include <research/study/studies.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -9,8 +11,8 @@ namespace plastron::study {
 
 std::span<const Kind> kinds() {
   static constexpr std::array all{
-      Kind{"convergence", convergence},
-      Kind{"adaptivity", adaptivity, nullptr, true},
+      Kind{"convergence", convergence, nullptr, false, true},
+      Kind{"adaptivity", adaptivity, nullptr, true, true},
       Kind{"penalty", penalty, penalty_variants},
       Kind{"thickness", thickness, thickness_study_variants},
       Kind{"continuity", continuity, continuity_variants},
@@ -38,6 +40,11 @@ const Kind* find_kind(std::string_view name) {
 std::vector<examination::Finding> examine(const Kind& kind, const problem::Problem& problem,
                                           const StudyOptions& options) {
   std::vector<examination::Finding> findings = examination::examine(problem);
+  if (problem.shell.rotations == element::Rotations::finite && !kind.takes_finite_rotations)
+    findings.push_back({.severity = examination::Severity::error,
+                        .text = fmt::format("{} examines the linear model, and the case has finite rotations; write "
+                                            "rotations = \"small\" in [shell]",
+                                            kind.name)});
   if (examination::has_errors(findings) || !kind.variants) return findings;
   for (const Variant& variant : kind.variants(problem, options))
     for (const examination::Finding& finding : examination::examine(variant.problem))

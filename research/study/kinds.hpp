@@ -17,7 +17,8 @@ struct Kind {
   Report (*run)(const problem::Problem&, const StudyOptions&, MPI_Comm, const StudyObserver&);  ///< collective
   /// Problems that the study must compute besides the case. Null if the study needs only problems that cannot be refused.
   std::vector<Variant> (*variants)(const problem::Problem&, const StudyOptions&) = nullptr;
-  bool grades_meshes = false;  ///< meshes follow from the case's accuracy; others compare uniform ones
+  bool grades_meshes = false;           ///< meshes follow from the case's accuracy; others compare uniform ones
+  bool takes_finite_rotations = false;  ///< others examine theorems and formulations of the linear model
 };
 
 /// All studies, in the order of kind_names(). A new one is a line there and one in kinds.cc.

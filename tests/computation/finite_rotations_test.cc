@@ -2,6 +2,7 @@
 // strip whose digits two methods share; stability, buckling loads and natural frequencies (M30), against closed forms.
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/warnings.hpp>
+#include <plastron/examination/examine.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -170,6 +171,7 @@ TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
        {std::pair(Direction::x, d[0]), std::pair(Direction::y, d[1]), std::pair(Direction::z, d[2])})
     end.components.push_back(fixed(Unknown::rotation, direction, value));
   p.shell.supports.push_back(end);
+  EXPECT_FALSE(examination::has_errors(examination::examine(p)));
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   const double lambda2 = 1 - std::pow(e * kappa, 2) / 6;
@@ -325,6 +327,20 @@ TEST(Stability, OfACompressedStripEndsAtItsBucklingLoad) {
     EXPECT_NEAR(r.stability->margin, 1 - part, 1e-3);
     ASSERT_EQ(r.solution->modes.size(), 1U);
     EXPECT_EQ(r.solution->modes[0].name(), "softest_motion");
+  }
+}
+
+// A shallow cap carries 0.74 of its limit load (2.695e-4) upright, and is turned inside out by 1.11 of it.
+TEST(Stability, OfAShallowCapEndsInASnap) {
+  for (const double load : {2e-4, 3e-4}) {
+    problem::Problem p = disk_of({"x", "y", "sqrt(1 - x^2 - y^2)"}, 0.02, std::sin(0.3), 1);
+    p.shell.rotations = element::Rotations::finite;
+    p.shell.loads.on_areas = {force(0, 0, -load)};
+    const Result r = solve(p, MPI_COMM_WORLD);
+    EXPECT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+    EXPECT_EQ(r.levels.front().has_jumped, load > 2.695e-4);
+    EXPECT_EQ(r.summary.max_relative_displacement > 3, load > 2.695e-4);
+    EXPECT_EQ(testing::Value(r.warnings, testing::Contains(HasSubstr("the shell snaps"))), load > 2.695e-4);
   }
 }
 

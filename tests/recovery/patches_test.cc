@@ -213,7 +213,7 @@ TEST(Patches, OfOneFieldServeAnother) {
   };
   const Recovery own = values(std::make_shared<ResultantPatches>(*moved.discrete, moved.solution));
   const Recovery shared =
-      values(std::make_shared<ResultantPatches>(*moved.discrete, moved.solution, of_still.patches()));
+      values(std::make_shared<ResultantPatches>(*moved.discrete, moved.solution.y, of_still.patches()));
   for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
     const auto a = own(c), b = shared(c);
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(resultants_of(a[i]), resultants_of(b[i]));

@@ -1,5 +1,6 @@
 #include <plastron/assembly/discrete_shell.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/deformed.hpp>
 #include <plastron/assembly/follower_pressure.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
@@ -23,7 +24,8 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
                       description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
   auto load = load_vector(shell, description.loads);
-  auto follower = follower_pressure(shell, description.loads);
+  auto follower = algebra::in_agreement<LoadError>(shell.space().layout->comm,
+                                                   [&] { return follower_pressure(shell, description.loads); });
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
                                                                 .full_load = std::move(load),
@@ -107,7 +109,7 @@ Energies DiscreteShell::motion_energies(const algebra::Vector& y) const {
 
 obstacle::ShellPoint DiscreteShell::shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                                 const Vector6& motion) const {
-  if (has_finite_rotations()) return {phi, a3, thickness, motion.head<3>(), motion.tail<3>()};
+  if (has_finite_rotations()) return {phi, a3, thickness, motion.head<3>(), motion.tail<3>(), true};
   return assembly::shell_point(phi, a3, thickness, motion);
 }
 
@@ -128,10 +130,9 @@ double DiscreteShell::nodal_gap(std::size_t k, std::size_t node, const algebra::
   return coordinates.gaps[k][node](now.head<3>(), geometry::tangential(now.tail<3>(), place(node).a3));
 }
 
-double DiscreteShell::linearised_gap(std::size_t k, const NodalPoint& at, const Vector6& before,
-                                     const Vector6& now) const {
-  const obstacle::ShellPoint here = shell_point(at.phi, at.a3, at.thickness, now);
-  return gap(k, shell_point(at.phi, at.a3, at.thickness, before))(here.u, here.r);
+Vector3d DiscreteShell::touching_place(std::size_t k, std::size_t node) const {
+  const obstacle::Gap& gap = coordinates.gaps[k][node];
+  return has_finite_rotations() ? Vector3d(points[node].phi + gap.z * points[node].a3) : gap.contact_point;
 }
 
 double DiscreteShell::way_pressed(std::size_t k) const {

@@ -9,6 +9,7 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/assembly/shell_operator.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,6 +39,8 @@ struct DiscreteShell {
   std::vector<fem::BodyPlace> places{};  ///< places of the rigid bodies in the state; empty with small rotations
 
   const fem::Space& space() const { return shell.space(); }
+  /// Block of vectors with a value for each obstacle, at least 1.
+  int obstacle_block() const { return std::max(1, static_cast<int>(obstacles_at_start.all.size())); }
   bool has_finite_rotations() const { return rotations == element::Rotations::finite; }
   /// Returns the node where forces act and directions are taken: of the deformed shell if rotations are finite.
   const NodalPoint& place(std::size_t node) const { return has_finite_rotations() ? moved[node] : points[node]; }
@@ -52,11 +55,12 @@ struct DiscreteShell {
   CellStrain strains(std::size_t cell, const algebra::Vector& y) const;
   /// Returns N, M, Q of strains at the quadrature points, times area, less those of initial strains.
   CellStrain stresses(std::size_t cell, const CellStrain& strains) const;
-  /// Returns the three parts of the energy (collective).
+  /// Returns the three parts of the energy (collective) [J].
   Energies energies(const algebra::Vector& y) const;
-  /// Returns the three parts of 1/2 a(y, y) for a motion y, a with the stiffness of the material at the state (collective).
+  /// Returns the three parts of 1/2 a(y, y) for a motion y, a with the stiffness of the material at the state (collective)
+  /// [J].
   Energies motion_energies(const algebra::Vector& y) const;
-  /// Returns a point of the shell after the motion (u, r) = `moved`. With small rotations r . a_3 moves no face.
+  /// Returns a point of the shell after a motion (u, r). With small rotations r . a_3 moves no face.
   obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                    const Vector6& motion) const;
   /// Factor of the form of normal_rotation.hpp: 1/p (M13), rho (M14) or zero.
@@ -69,8 +73,8 @@ struct DiscreteShell {
   void residual(const algebra::Vector& y, algebra::Vector& f) const;
   /// Returns the gap (M16) against obstacle k at a point that the state has moved.
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
-  /// Returns the same gap, as linearised at `state`, where the fields are (u, r) = `now` [m].
-  double linearised_gap(std::size_t k, const NodalPoint& at, const Vector6& state, const Vector6& now) const;
+  /// Returns the place on the undeformed face of a local node that obstacle k touches [m].
+  Vector3d touching_place(std::size_t k, std::size_t node) const;
   /// Returns the linearised gap of fields (u, r) between a local node and obstacle k, without the state's lift. It uses
   /// the tangential part of r [m].
   double nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const;

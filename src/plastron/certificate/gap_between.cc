@@ -50,7 +50,8 @@ class CellPoints {
         discrete_.shell_point(frames_[p].phi, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
     obstacle::FaceGap gap = discrete_.obstacles.true_gap(obstacle, now_[obstacle], at);
     if (!may_pass(obstacle, at)) return gap;
-    const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u, a3);
+    const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u,
+                                                        at.is_turned ? Vector3d(a3 + at.r) : a3);
     gap.clearance = std::min(gap.clearance, passage.clearance);
     if (passage.is_through) gap.distance = std::min(gap.distance, -at.thickness);
     return gap;

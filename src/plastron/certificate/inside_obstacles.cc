@@ -58,7 +58,7 @@ PushedSideways pushed_sideways(const assembly::DiscreteShell& discrete, const so
     const double force = solution.pressure.at(i)[k] * point.weight;
     pushed.all_forces += force;
     if (!(std::abs(gap.normal.dot(point.a3)) < sideways) ||
-        !(obstacle.nearest(gap.contact_point).distance < -deep_inside * point.thickness))
+        !(obstacle.nearest(discrete.touching_place(k, i)).distance < -deep_inside * point.thickness))
       continue;
     pushed.nodes += 1;
     if (!on_edges[i]) pushed.force += force;

@@ -26,15 +26,15 @@ struct Moving {
   Vector3d way(const Vector3d& X) const { return after.placement.to_space(before.placement.to_body(X)) - X; }
 };
 
-bool may_pass_at(const Moving& moving, const assembly::NodalPoint& point, const Vector3d& X) {
+/// `X`: place of the node's mid-surface now, `a3`: the shell's direction there.
+bool may_pass_at(const Moving& moving, const assembly::NodalPoint& point, const Vector3d& X, const Vector3d& a3) {
   // Size of the region around the node: an obstacle may be smaller than the distance of nodes.
   const double around = 2 * std::sqrt(point.weight) + point.thickness / 2, way = moving.way(X).norm();
   if (way <= short_way * point.thickness) return false;
   const obstacle::Nearest first = moving.before.nearest(X);
   if (first.distance - way > around) return false;
   const obstacle::Nearest last = moving.after.nearest(X);
-  return (first.distance + last.distance - way) / 2 <= around &&
-         first.normal.dot(point.a3) * last.normal.dot(point.a3) <= 0;
+  return (first.distance + last.distance - way) / 2 <= around && first.normal.dot(a3) * last.normal.dot(a3) <= 0;
 }
 
 /// Whether an obstacle that moves from one time to another changes sides of the shell. The shell rests at `y`, and the
@@ -51,8 +51,10 @@ bool may_pass(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
       const double position = discrete.state.position(k) + discrete.way_pressed(k);
       const Moving moving{obstacle.standing(from, position), obstacle.standing(to, position)};
       for (std::size_t i = 0; !may && i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-        const Vector3d u = assembly::node_values(y, i).head<3>();
-        may = may_pass_at(moving, discrete.points[i], discrete.points[i].phi + u);
+        const assembly::Vector6 now = assembly::node_values(y, i);
+        Vector3d a3 = discrete.points[i].a3;
+        if (discrete.has_finite_rotations()) a3 += now.tail<3>();
+        may = may_pass_at(moving, discrete.points[i], discrete.points[i].phi + now.head<3>(), a3);
       }
     }
   });

@@ -2,7 +2,6 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/finite/modes.hpp>
-#include <plastron/obstacle/error.hpp>
 #include <plastron/zones/contact_zones.hpp>
 
 #include <fmt/format.h>
@@ -83,8 +82,7 @@ void examine_stability(Result& result, Solution& solution) {
   result.stability.reset();
   const bool is_solved = result.status == contact::Status::solved || result.status == contact::Status::inaccurate;
   if (!solution.discrete->has_finite_rotations() || !is_solved) return;
-  finite::Stability found = algebra::in_agreement<obstacle::ObstacleError>(
-      solution.discrete->space().layout->comm, [&] { return finite::stability(*solution.discrete, solution.nodal); });
+  finite::Stability found = finite::stability(*solution.discrete, solution.nodal);
   result.stability = {.margin = found.margin,
                       .margin_without_weak_contact = found.margin_without_weak_contact,
                       .weak_nodes = found.weak_nodes};

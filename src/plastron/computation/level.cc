@@ -52,6 +52,7 @@ class LevelRun {
 
   Seconds seconds;
   int factorisations = 0, linearisations = 0;
+  bool has_jumped = false;  ///< see Level
   std::vector<contact::Iteration> history{};
 
   /// Solves the contact problem of the present linearisation, starting from the expected zone; null if there is none.
@@ -113,7 +114,6 @@ class LevelRun {
     history.insert(history.end(), step.box.iterations.begin(), step.box.iterations.end());
     return step;
   }
-  int obstacles() const { return std::max(1, static_cast<int>(discrete_->obstacles.all.size())); }
 
   /// Estimates the errors of the solution of the last solve() and of its goals.
   estimation::Estimates estimate(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
@@ -173,7 +173,7 @@ struct Found {
 
 /// Solves with small rotations, and repeats the linearisation until the linearised gaps agree with the position of the
 /// shell.
-Found met_linear(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
+Found solved_linear(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
   Relinearisation outer(task.linearisation, run.discrete());
   contact::BoxSolution z = run.solve(zone, detect_free_motions);
   solution::NodalSolution nodal = solution::nodal_solution(run.discrete(), z);
@@ -197,17 +197,20 @@ constexpr int most_newton_steps = 60;
 constexpr double negligible_step = 1e-9, small_step = 1e-5;
 
 /// Solves with finite rotations, by Newton steps from the state of the shell.
-Found balanced(LevelRun& run, const algebra::Vector* zone) {
+Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   assembly::DiscreteShell& discrete = run.discrete();
   solution::NodalSolution nodal =
-      solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, run.obstacles()));
+      solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, discrete.obstacle_block()));
   // Stresses of an interpolated state are no guide: rotations that do not fit leave stretch behind.
   finite::StepStart start{.prestress = finite::no_prestress(discrete)};
   if (zone) start.zone = *zone;
   finite::NewtonStep step;
   double before = std::numeric_limits<double>::infinity();
   for (int steps = 0; steps < most_newton_steps; ++steps) {
+    // The undeformed shell may have free motions that contact stops.
+    const bool may_be_free = steps == 0 && !discrete.state.is_deformed();
     step = run.newton_step(start);
+    run.has_jumped = run.has_jumped || (step.shift > 0 && !may_be_free);
     if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
     if (step.status() != contact::Status::solved) break;
     linearise(discrete, finite::next_state(discrete, start, step));
@@ -220,13 +223,15 @@ Found balanced(LevelRun& run, const algebra::Vector* zone) {
     if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
+  if (held_inside_obstacle(discrete)) step.box.status = contact::Status::infeasible;
   if (start.zone.layout()) nodal = solution::nodal_solution(discrete, start.zone);
   return {std::move(step.box), std::move(nodal)};
 }
 
 /// Solves the contact problem of the model, from the state of the shell and an expected zone; null if there is none.
 Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
-  return run.discrete().has_finite_rotations() ? balanced(run, zone) : met_linear(run, task, zone, detect_free_motions);
+  return run.discrete().has_finite_rotations() ? solved_finite(run, zone)
+                                               : solved_linear(run, task, zone, detect_free_motions);
 }
 
 /// Solves the contact problem with other lifts of bounds, from a solution's state and contact zone.
@@ -323,6 +328,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.history = std::move(run.history);
   record.factorisations = run.factorisations;
   record.linearisations = run.linearisations;
+  record.has_jumped = run.has_jumped;
   record.lift_rounds = lifted.rounds;
   record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
   record.seconds = run.seconds;

@@ -131,6 +131,16 @@ double force_error(const assembly::DiscreteShell& discrete, const solution::Summ
   return most;
 }
 
+/// Returns the largest distance of a solution from the state of its shell, rotations times the thickness [m].
+double state_error(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  double most = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const double error = length_of(as_length(discrete.in_coordinates(y, i), discrete.points[i].thickness));
+    if (!(error <= most)) most = error;
+  }
+  return algebra::max_over_ranks(most, discrete.space().layout->comm);
+}
+
 void add_linearisation(const problem::Problem& problem, const assembly::DiscreteShell& discrete,
                        const solution::NodalSolution& solution, std::vector<CertificateLimit>& rows) {
   if (!has_rows_to_meet(discrete)) return;
@@ -174,6 +184,9 @@ std::vector<CertificateLimit> membership_rows(const problem::Problem& problem, c
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
        "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges "
        "of a rigid body as it does"}};
+  if (discrete.has_finite_rotations())
+    rows.push_back({"state_error", "m", state_error(discrete, solution.y), algebraic_part * length, false,
+                    "with finite rotations the solution is the state at which gaps, places and bounds are taken"});
   if (discrete.tangency.formulation == element::Formulation::mixed)
     rows.push_back(
         {"tangency_error", "1", tangency_error(discrete, solution, summary.max_rotation), tangency_part, false,

@@ -33,7 +33,7 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const soluti
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     if (!touches) return;
     const Vector6 way = node_values(solution.y, row.node) - discrete.state.at(row.node);
-    const Vector3d r = geometry::tangential(way.tail<3>(), discrete.points[row.node].a3);
+    const Vector3d r = geometry::tangential(way.tail<3>(), discrete.place(row.node).a3);
     const double arm = discrete.coordinates.gaps[k][row.node].arm;
     farthest = std::max(farthest, (way.head<3>() + arm * r - discrete.obstacles.way(k)).norm());
   });
@@ -44,9 +44,9 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const soluti
 GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   GapError error;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
-    const assembly::NodalPoint& p = discrete.points[row.node];
-    const Vector6 y = node_values(solution.y, row.node);
-    const obstacle::ShellPoint moved = discrete.shell_point(p.phi, p.a3, p.thickness, y);
+    const assembly::NodalPoint& p = discrete.place(row.node);
+    const obstacle::ShellPoint moved =
+        discrete.shell_point(p.phi, p.a3, p.thickness, discrete.in_coordinates(solution.y, row.node));
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
     const double distance = obstacle::true_gap(discrete.obstacles.now(k), gap, moved);
     if (touches)

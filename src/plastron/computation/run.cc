@@ -96,6 +96,7 @@ void Run::take(LevelResult level) {
   take_moments_about(problem.output.moment_point, result.summary);
   result.certificate = level.verdict.certificate;
   latest_ = std::move(level.record);
+  has_jumped_ = has_jumped_ || latest_.has_jumped;
   result.solution = std::move(level.solution);
   result.estimates = std::move(level.estimates);
 }
@@ -130,7 +131,8 @@ bool Run::has_checked_model() {
 }
 
 void Run::find_modes() {
-  if (result.status != contact::Status::solved && result.status != contact::Status::inaccurate) return;
+  using enum contact::Status;
+  if (result.status != solved && result.status != inaccurate && result.status != unstable) return;
   const auto find = [&](Mode::Kind kind, int count, const auto& modes_of) {
     if (count == 0) return;
     finite::Modes found = modes_of(*solution().discrete, solution().nodal, count);
@@ -159,6 +161,7 @@ bool Run::wants_model_check(const problem::Instant& instant) const {
 void Run::record(const problem::Instant& instant) {
   judge_certificate(result);
   examine_stability(result, solution());
+  latest_.has_jumped = std::exchange(has_jumped_, false);
   if (wants_model_check(instant)) check_model(instant.time);
   recover();
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
@@ -194,6 +197,7 @@ Result Run::finish() {
       examine_stability(result, solution());
     }
     warn(linear_model_warnings(result));
+    warn(jump_warnings(result));
     warn(stability_warnings(result));
     warn(geometry_warnings(result));
     add_contact_zones(result);

@@ -97,6 +97,7 @@ class Run {
 
   const Observer& asked_;
   Level latest_{};
+  bool has_jumped_ = false;          ///< since the last entry of the history, or since the start
   double checked_displacement_ = 0;  ///< largest |u| / e of the last solution that was compared
 };
 

@@ -1,5 +1,6 @@
 #include <plastron/computation/warnings.hpp>
 
+#include <plastron/finite/modes.hpp>
 #include <plastron/meshing/sizes.hpp>
 
 #include <fmt/format.h>
@@ -20,8 +21,6 @@ constexpr double notable_model_error = 0.05;
 constexpr double near_buckling = 0.5;
 /// Margin of stability below which an equilibrium counts as nearly critical.
 constexpr double near_critical = 0.05;
-/// Part of an obstacle's largest pressure below which contact is weak (finite/modes.hpp).
-constexpr double weak_pressure = 1e-2;
 /// Strain above which measures of strain differ by more than 1 %; metals yield at a tenth of it.
 constexpr double largest_strain = 0.02;
 /// Penetration between nodes that causes a warning, as a part of the thickness.
@@ -192,6 +191,19 @@ std::vector<std::string> linear_model_warnings(const Result& result) {
   return warnings;
 }
 
+std::vector<std::string> jump_warnings(const Result& result) {
+  std::string when;
+  for (const HistoryEntry& instant : result.history)
+    if (instant.level.has_jumped) when += fmt::format("{}{:g}", when.empty() ? " at time " : ", ", instant.time);
+  if (result.history.empty() && std::ranges::none_of(result.levels, &Level::has_jumped)) return {};
+  if (!result.history.empty() && when.empty()) return {};
+  return {
+      fmt::format("the shell snaps to another equilibrium{}: during the iteration a motion lost its stiffness; it need "
+                  "not be the equilibrium that follows in time; solve it in [[step]]s of more parts to see where it "
+                  "snaps",
+                  when)};
+}
+
 std::vector<std::string> stability_warnings(const Result& result) {
   if (!result.stability || result.status == contact::Status::unstable) return {};
   const StabilityMargins& s = *result.stability;
@@ -204,7 +216,7 @@ std::vector<std::string> stability_warnings(const Result& result) {
     return {
         fmt::format("weak contact holds the equilibrium: without the {} nodes whose pressure is below {:g} of the "
                     "largest, some motion would lower the energy; a small disturbance may make the shell snap away",
-                    s.weak_nodes, weak_pressure)};
+                    s.weak_nodes, finite::Stability::weak_part)};
   return {};
 }
 

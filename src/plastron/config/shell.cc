@@ -2,8 +2,11 @@
 #include <plastron/config/sections.hpp>
 #include <plastron/shell/material.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace plastron::config {
 
@@ -14,38 +17,39 @@ using element::Formulation, element::Rotations, element::Tangency;
 using shell::Material;
 
 Section shell_section() {
-  return {"shell",
-          "[shell]",
-          "The material and the thickness. The material is E and nu, or lambda and mu, or the name of a [[material]].",
-          {key("E", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "2.1e11"}, "Young's modulus"),
-           key("nu", Kind::number, {.range = poisson_range, .example = "0.3"},
-               "Poisson's ratio; nearer to -1 double precision does not suffice"),
-           key("lambda", Kind::number, {.unit = "Pa", .example = "1.2e11"},
-               "first Lame constant; 3 lambda + 2 mu > 0, and Poisson's ratio is at least -0.999"),
-           key("mu", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "8e10"}, "shear modulus"),
-           key("material", Kind::name, {.example = "\"carbon\""}, "a [[material]], in the place of E and nu"),
-           key("thickness", &CrossSection::thickness,
-               {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
-           key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
-               "mass per volume, for the weight of the shell, see [gravity], and for natural frequencies, see [modes]"),
-           key("shear_correction", &Material::shear_correction, {.fallback = "1", .range = Range::positive(2)},
-               "factor of the transverse shear energy: 1 as in the paper, or 5/6"),
-           key("formulation", &Tangency::formulation,
-               {{"tangent", Formulation::tangent},
-                {"penalised", Formulation::penalised},
-                {"mixed", Formulation::mixed},
-                {"classical", Formulation::classical}},
-               {.fallback = "\"tangent\""},
-               "method that keeps r . a3 = 0. tangent: two rotations at each node; penalised: a penalty; mixed: a "
-               "multiplier; classical: covariant components"),
-           key("rotations", &assembly::ShellDescription::rotations,
-               {{"small", Rotations::small}, {"finite", Rotations::finite}}, {.fallback = "\"small\""},
-               "small: Naghdi's linear model. finite: strains, gaps and equilibrium are those of the deformed shell, "
-               "with directors of length 1; loads keep their directions. For the tangent formulation"),
-           key("penalty", &Tangency::penalty, {.fallback = "0.1", .range = Range::positive(1)},
-               "p of the penalised formulation; the penalty is E e^3 / p"),
-           key("stabilisation", &Tangency::stabilisation, {.fallback = "1", .range = Range::positive()},
-               "rho of the mixed formulation; the stabilisation is rho E e^3")}};
+  return {
+      "shell",
+      "[shell]",
+      "The material and the thickness. The material is E and nu, or lambda and mu, or the name of a [[material]].",
+      {key("E", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "2.1e11"}, "Young's modulus"),
+       key("nu", Kind::number, {.range = poisson_range, .example = "0.3"},
+           "Poisson's ratio; nearer to -1 double precision does not suffice"),
+       key("lambda", Kind::number, {.unit = "Pa", .example = "1.2e11"},
+           "first Lame constant; 3 lambda + 2 mu > 0, and Poisson's ratio is at least -0.999"),
+       key("mu", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "8e10"}, "shear modulus"),
+       key("material", Kind::name, {.example = "\"carbon\""}, "a [[material]], in the place of E and nu"),
+       key("thickness", &CrossSection::thickness,
+           {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
+       key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
+           "mass per volume, for the weight of the shell, see [gravity], and for natural frequencies, see [modes]"),
+       key("shear_correction", &Material::shear_correction, {.fallback = "1", .range = Range::positive(2)},
+           "factor of the transverse shear energy: 1 as in the paper, or 5/6"),
+       key("formulation", &Tangency::formulation,
+           {{"tangent", Formulation::tangent},
+            {"penalised", Formulation::penalised},
+            {"mixed", Formulation::mixed},
+            {"classical", Formulation::classical}},
+           {.fallback = "\"tangent\""},
+           "method that keeps r . a3 = 0. tangent: two rotations at each node; penalised: a penalty; mixed: a "
+           "multiplier; classical: covariant components"),
+       key("rotations", &assembly::ShellDescription::rotations,
+           {{"small", Rotations::small}, {"finite", Rotations::finite}}, {.fallback = "\"small\""},
+           "small: Naghdi's linear model. finite: strains, gaps and equilibrium are those of the deformed shell, "
+           "with directors of length 1; loads keep their directions unless they follow. For the tangent formulation"),
+       key("penalty", &Tangency::penalty, {.fallback = "0.1", .range = Range::positive(1)},
+           "p of the penalised formulation; the penalty is E e^3 / p"),
+       key("stabilisation", &Tangency::stabilisation, {.fallback = "1", .range = Range::positive()},
+           "rho of the mixed formulation; the stabilisation is rho E e^3")}};
 }
 
 Section region_section() {
@@ -184,6 +188,11 @@ void check_rotations(Table& root, const problem::Problem& problem) {
       shell.report("rotations",
                    fmt::format("the {} formulation has no finite rotations", element::to_string(formulation)), "",
                    "write formulation = \"tangent\", or rotations = \"small\"");
+    for (const fem::RigidBody& body : problem.rigid_bodies)
+      if (std::any_of(body.fixed.begin() + 3, body.fixed.end(),
+                      [](const auto& angle) { return std::abs(angle.value_or(0)) >= std::numbers::pi; }))
+        shell.report("rotations", fmt::format("the rigid body \"{}\" is to turn by half a turn or more", body.name),
+                     "a rotation below pi", "");
     if (problem.shell.obstacles.are_linear)
       shell.report("rotations",
                    "with finite rotations gaps are those of the deformed shell, and [contact] wants them linearised",

@@ -1,6 +1,7 @@
 // The whole examination. Names and chart come first: other checks are meaningless if these are wrong.
 #include <plastron/examination/examine.hpp>
 
+#include <plastron/assembly/deformed.hpp>
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
@@ -75,13 +76,25 @@ std::string Examined::place(const Eigen::Vector2d& x) const {
   return fmt::format("x = {:.6g}, y = {:.6g}", cleared(x[0]), cleared(x[1]));
 }
 
+namespace {
+
+/// Returns the supports of the undeformed shell. With finite rotations three components of r prescribe a director.
+std::vector<assembly::NodeSupport> supports_of(const Examined& examined,
+                                               const std::vector<assembly::NodalPoint>& points) {
+  const assembly::ShellDescription& shell = examined.problem.shell;
+  auto supports = assembly::node_supports(*examined.space, *examined.surface, points, shell.supports);
+  if (shell.rotations == element::Rotations::small) return supports;
+  return assembly::remaining_supports(std::move(supports), points, algebra::Vector(examined.space->layout, 6));
+}
+
+}  // namespace
+
 ExaminedNodes::ExaminedNodes(const Examined& examined)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables,
                                       examined.problem.shell.sections)),
-      coordinates(assembly::nodal_coordinates(
-          examined.space, points,
-          assembly::node_supports(*examined.space, *examined.surface, points, examined.problem.shell.supports),
-          examined.problem.shell.obstacles, examined.problem.shell.tangency.formulation)) {}
+      coordinates(assembly::nodal_coordinates(examined.space, points, supports_of(examined, points),
+                                              examined.problem.shell.obstacles,
+                                              examined.problem.shell.tangency.formulation)) {}
 
 std::string obstacle_text(const problem::Problem& problem, std::size_t obstacle) {
   return problem.shell.obstacles.all.size() == 1

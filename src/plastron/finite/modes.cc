@@ -194,7 +194,9 @@ Stability stability(const assembly::DiscreteShell& discrete, const solution::Nod
 
 Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
   const SmallMotions motions = small_motions(discrete, solution);
-  const algebra::Matrix stiffness = tangent_matrix(discrete, prestress(discrete, solution), motions.coordinates),
+  const algebra::Matrix stiffness = discrete.has_finite_rotations()
+                                        ? hessian(discrete, solution, motions.coordinates)
+                                        : tangent_matrix(discrete, prestress(discrete, solution), motions.coordinates),
                         mass = mass_matrix(discrete, motions.coordinates);
   // A shift makes the stiffness of free motions and of unstable solutions positive. The largest ratio of the diagonals is
   // near the largest square of a frequency.

@@ -15,7 +15,8 @@ struct Modes {
   std::vector<algebra::Vector> shapes{};  ///< (u, r), block 6, with current ghosts; the largest |u| is 1
 };
 
-/// Returns the smallest positive factors of all loads and prescribed displacements at which the shell buckles,
+/// Returns the smallest positive factors of all loads and prescribed displacements (of stresses and contact forces, where the
+/// shell is deformed by finite rotations) at which the shell buckles,
 /// (K_M + factor K_G) v = 0, ascending: at most `count`. Without a solution if a motion is free (collective).
 Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count);
 

@@ -1,6 +1,8 @@
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/follower_pressure.hpp>
 #include <plastron/finite/scalar_blocks.hpp>
 #include <plastron/finite/tangent.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <Eigen/Eigenvalues>
 
@@ -184,20 +186,23 @@ void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const s
                                 algebra::Matrix& matrix) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const auto width = static_cast<Eigen::Index>(coordinates.width);
-  for (const assembly::ContactRow& row : coordinates.rows) {
-    const auto k = static_cast<std::size_t>(row.obstacle);
-    if (!row.binds || solution.touching.at(row.node)[k] == 0) continue;
-    const obstacle::Gap& gap = coordinates.gaps[k][row.node];
-    Eigen::Matrix3d curvature = discrete.obstacles.now(k).nearest(gap.contact_point).curvature;
-    const double sharpest = 2 / discrete.points[row.node].thickness, sharpness = curvature.norm();
-    if (!(sharpness <= sharpest)) curvature *= sharpest / sharpness;
-    const RowMatrix basis = coordinates.basis[row.node].leftCols(width);
-    const RowMatrix face = basis.topRows<3>() + gap.arm * basis.bottomRows<3>();
-    const double force = solution.pressure.at(row.node)[k] * discrete.points[row.node].weight;
-    const RowMatrix block = -force * face.transpose() * curvature * face;
-    const auto node = static_cast<algebra::LocalIndex>(row.node);
-    matrix.add({&node, 1}, {block.data(), static_cast<std::size_t>(block.size())});
-  }
+  // An obstacle may have no curvature in a place that only one rank sees.
+  algebra::in_agreement<obstacle::ObstacleError>(discrete.space().layout->comm, [&] {
+    for (const assembly::ContactRow& row : coordinates.rows) {
+      const auto k = static_cast<std::size_t>(row.obstacle);
+      if (!row.binds || solution.touching.at(row.node)[k] == 0) continue;
+      const obstacle::Gap& gap = coordinates.gaps[k][row.node];
+      Eigen::Matrix3d curvature = discrete.obstacles.now(k).nearest(gap.contact_point).curvature;
+      const double sharpest = 2 / discrete.points[row.node].thickness, sharpness = curvature.norm();
+      if (!(sharpness <= sharpest)) curvature *= sharpest / sharpness;
+      const RowMatrix basis = coordinates.basis[row.node].leftCols(width);
+      const RowMatrix face = basis.topRows<3>() + gap.arm * basis.bottomRows<3>();
+      const double force = solution.pressure.at(row.node)[k] * discrete.points[row.node].weight;
+      const RowMatrix block = -force * face.transpose() * curvature * face;
+      const auto node = static_cast<algebra::LocalIndex>(row.node);
+      matrix.add({&node, 1}, {block.data(), static_cast<std::size_t>(block.size())});
+    }
+  });
   matrix.finish();
 }
 

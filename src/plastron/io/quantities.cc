@@ -34,7 +34,8 @@ std::span<const Quantity<Result>> result_quantities() {
       {"rotations", "-", "small: the linear model; finite: finite rotations (shell.rotations)",
        [](const Result& r) { return Json(r.rotations == element::Rotations::finite ? "finite" : "small"); },
        Form::text},
-      {"energy", "J", "stored energy, 1/2 a(U, U)", [](const Result& r) { return number(r.summary.energy.total()); }},
+      {"energy", "J", "stored energy, 1/2 a(U, U); W(U) with finite rotations",
+       [](const Result& r) { return number(r.summary.energy.total()); }},
       {"energy_parts/membrane", "J", "membrane part of the energy",
        [](const Result& r) { return number(r.summary.energy.membrane); }},
       {"energy_parts/bending", "J", "bending part of the energy",
@@ -491,7 +492,7 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"status", "-", "how this instant ended, in one word",
        [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }, Form::text},
       {"load_factor", "1", "factor of all loads", [](const HistoryEntry& h) { return number(h.load_factor); }},
-      {"energy", "J", "stored energy, 1/2 a(U, U)",
+      {"energy", "J", "stored energy, 1/2 a(U, U); W(U) with finite rotations",
        [](const HistoryEntry& h) { return number(h.summary.energy.total()); }},
       {"load_work", "J", "work of the loads, l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},
       {"max_displacement", "m", "largest |u| at a node",
@@ -505,6 +506,9 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
        [](const HistoryEntry& h) { return triple(h.summary.support_reaction.force); }, Form::triple},
       {"stability_margin", "1", "stability/margin at this instant; null with small rotations",
        [](const HistoryEntry& h) { return h.stability ? number(h.stability->margin) : Json(nullptr); }},
+      {"has_jumped", "-",
+       "with finite rotations: the shell snapped to this state, because a motion had no stiffness on the way",
+       [](const HistoryEntry& h) { return Json(h.level.has_jumped); }, Form::flag},
       {"margin_without_weak_contact", "1", "stability/margin_without_weak_contact at this instant",
        [](const HistoryEntry& h) {
          return h.stability ? number(h.stability->margin_without_weak_contact) : Json(nullptr);

@@ -138,8 +138,9 @@ FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at) {
     return gap_of_face(obstacle, at, (obstacle.face == Face::lower ? -0.5 : 0.5) * at.thickness, {});
   const Vector3d middle = at.phi + at.u, director = at.a3 + at.r;
   const Nearest in_middle = obstacle.nearest(middle);
-  double position = face_position(obstacle.face, in_middle.normal, at.a3);
-  if (in_middle.distance < 0 && std::abs(in_middle.normal.dot(at.a3)) < -sideways)
+  const Vector3d& facing = at.is_turned ? director : at.a3;
+  double position = face_position(obstacle.face, in_middle.normal, facing);
+  if (in_middle.distance < 0 && std::abs(in_middle.normal.dot(facing)) < -sideways)
     position = entered_face(obstacle, middle, director.normalized(), director.norm() * at.thickness / 2, position);
   return gap_of_face(obstacle, at, position * at.thickness, in_middle);
 }

@@ -30,6 +30,7 @@ struct ShellPoint {
   double thickness = 0;
   Vector3d u = Vector3d::Zero();  ///< displacement of the state [m]
   Vector3d r = Vector3d::Zero();  ///< rotation of the state, tangential
+  bool is_turned = false;  ///< finite rotations: a_3 + r is the director, and not a_3, decides which face is nearer
 };
 
 /// The relation of a face of the deformed shell at a point to an obstacle. The obstacle may be smaller than the

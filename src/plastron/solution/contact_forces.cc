@@ -53,7 +53,7 @@ std::vector<ContactForce> contact_forces(const assembly::DiscreteShell& discrete
       const double pressure = solution.pressure.at(i)[k];
       pack_force({.obstacle = k,
                   .x = point.x,
-                  .place = discrete.has_finite_rotations() ? Vector3d(point.phi + gap.z * point.a3) : gap.contact_point,
+                  .place = discrete.touching_place(k, i),
                   .displacement = assembly::node_values(solution.y, i).head<3>(),
                   .force = pressure * point.weight * gap.normal,
                   .pressure = pressure,

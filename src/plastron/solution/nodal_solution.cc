@@ -42,7 +42,7 @@ namespace {
 
 NodalSolution zero_solution(const assembly::DiscreteShell& discrete) {
   const auto& layout = discrete.space().layout;
-  const int obstacles = std::max(1, static_cast<int>(discrete.coordinates.gaps.size()));
+  const int obstacles = discrete.obstacle_block();
   return {.y = algebra::Vector(layout, 6),
           .pressure = algebra::Vector(layout, obstacles),
           .touching = algebra::Vector(layout, obstacles)};

@@ -22,7 +22,7 @@ SupportReactions support_reactions(const assembly::DiscreteShell& discrete,
   std::vector<Wrench> wrenches(shares.carriers());
   std::vector<std::int64_t> nodes(shares.boundaries().size(), 0);
   for (const NodalSupportForce& at : forces) {
-    const assembly::NodalPoint& point = discrete.points[at.node];
+    const assembly::NodalPoint& point = discrete.place(at.node);
     for (const SupportShares::Share& share : shares.at(at.node)) {
       wrenches[share.carrier] += nodal_wrench(point.phi, point.a3, share.part * at.force);
       if (share.carrier < nodes.size()) nodes[share.carrier] += 1;

@@ -198,7 +198,7 @@ SupportShares::Holdings SupportShares::holdings(const assembly::DiscreteShell& d
   const auto add = [&](std::size_t carrier, bool is_point, const std::vector<NodeSupport>& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!rows[i].displacement.empty() || !rows[i].rotation.empty())
-        all[i].push_back({.carrier = carrier, .is_point = is_point, .fixed = fixed_by(rows[i], discrete.points[i].a3)});
+        all[i].push_back({.carrier = carrier, .is_point = is_point, .fixed = fixed_by(rows[i], discrete.place(i).a3)});
   };
   const auto those = [&](const auto& belongs) {
     std::vector<assembly::Support> some;

@@ -18,6 +18,7 @@ struct TouchingNode {
   int zone;
   const assembly::NodalPoint& point;
   const obstacle::Gap& gap;
+  Vector3d place;  ///< on the undeformed face
   double pressure;
 };
 
@@ -29,7 +30,7 @@ void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution:
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
     if (!discrete.space().continuity.constrains(i) && faces.touching.local()[i * block + obstacle] != 0)
       visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][i],
-                         faces.pressure.local()[i * block + obstacle]});
+                         discrete.touching_place(obstacle, i), faces.pressure.local()[i * block + obstacle]});
 }
 
 using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
@@ -58,15 +59,14 @@ std::vector<solution::ContactZone> zone_totals(const assembly::DiscreteShell& di
   std::vector<ZoneSums> sums(static_cast<std::size_t>(labels.count), ZoneSums::Zero());
   for_touching_nodes(discrete, faces, obstacle, labels, [&](const TouchingNode& n) {
     const double weight = n.point.side_weight, force = n.pressure * weight;
-    const Vector3d& place = n.gap.contact_point;
     ZoneSums& s = sums[static_cast<std::size_t>(n.zone)];
     s[0] += weight;
     s[1] += 1;
     s.segment<3>(2) += force * n.gap.normal;
-    s.segment<3>(5) += force * place.cross(n.gap.normal);
+    s.segment<3>(5) += force * n.gap.contact_point.cross(n.gap.normal);
     s[8] += force;
-    s.segment<3>(9) += force * place;
-    s.segment<3>(12) += weight * place;
+    s.segment<3>(9) += force * n.place;
+    s.segment<3>(12) += weight * n.place;
     s[15] = std::max(s[15], n.pressure);
   });
   std::vector<solution::ContactZone> zones;
@@ -97,7 +97,7 @@ void find_peaks(const assembly::DiscreteShell& discrete, const solution::Contact
     if (n.pressure < same * zones[static_cast<std::size_t>(n.zone)].peak_pressure) return;
     mine.push_back(n.zone);
     mine.insert(mine.end(), n.point.x.begin(), n.point.x.end());
-    mine.insert(mine.end(), n.gap.contact_point.begin(), n.gap.contact_point.end());
+    mine.insert(mine.end(), n.place.begin(), n.place.end());
   });
   const auto all = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
   std::vector<char> found(zones.size(), 0);
