@@ -159,26 +159,49 @@ TEST(FiniteRotations, AreTheSameToSomePerCentWithoutManySteps) {
 
 // A prescribed end director rolls a strip up: d turns evenly, and the stretch lambda takes the axial force of the curvature out,
 // lambda^2 = 1 - (e kappa)^2 / 6. For u free and nu = 0 this solves (M23-M27) exactly.
-TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
-  constexpr double e = 0.1, length = 1, theta = 2.5, kappa = theta / length;
-  problem::Problem p = strip_of({"x", "y", "0"}, e, length, 0);
+problem::Problem rolled_strip(double e, double theta) {
+  problem::Problem p = strip_of({"x", "y", "0"}, e, 1, 0);
   p.shell.rotations = element::Rotations::finite;
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0, 1);
   p.shell.supports.push_back(clamped("left"));
   Support end{.boundary = "right", .components = {}};
-  const auto d = vector(-std::sin(theta), 0, std::cos(theta) - 1);
+  const auto r = vector(-std::sin(theta), 0, std::cos(theta) - 1);
   for (const auto& [direction, value] :
-       {std::pair(Direction::x, d[0]), std::pair(Direction::y, d[1]), std::pair(Direction::z, d[2])})
+       {std::pair(Direction::x, r[0]), std::pair(Direction::y, r[1]), std::pair(Direction::z, r[2])})
     end.components.push_back(fixed(Unknown::rotation, direction, value));
   p.shell.supports.push_back(end);
+  return p;
+}
+
+TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
+  constexpr double e = 0.1, theta = 2.5, kappa = theta;
+  const problem::Problem p = rolled_strip(e, theta);
   EXPECT_FALSE(examination::has_errors(examination::examine(p)));
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   const double lambda2 = 1 - std::pow(e * kappa, 2) / 6;
   const double energy =
-      0.1 * length / 2 * (e * std::pow(std::pow(e * kappa, 2) / 12, 2) + std::pow(e, 3) / 12 * kappa * kappa * lambda2);
+      0.1 / 2 * (e * std::pow(std::pow(e * kappa, 2) / 12, 2) + std::pow(e, 3) / 12 * kappa * kappa * lambda2);
   EXPECT_NEAR(r.summary.energy.total() / energy, 1, 1e-8);
   EXPECT_NEAR(r.summary.max_rotation, theta, 1e-9);
+}
+
+// Turned by more than a right angle, the lower face looks up, and touches a plate above. Its reaction, and the moments of
+// supports about their deformed places, add up.
+TEST(FiniteRotations, TouchWithTheFaceThatLooksAtTheObstacleThen) {
+  constexpr double e = 0.02;
+  problem::Problem p = rolled_strip(e, 2.6);
+  p.discretisation.refinements = 1;
+  p.shell.obstacles.all = {{.shape = obstacle::HalfSpace{.point = {0, 0, 0.5}, .normal = {0, 0, -1}}}};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  EXPECT_GT(r.summary.touching_nodes, 0);
+  EXPECT_GT(r.certificate.min_gap_between, -1e-3 * e);
+  EXPECT_LT(r.certificate.moment_balance, 1e-9);
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (const auto& support : r.summary.support_reactions) moment += support.reaction.moment;
+  for (const auto& corner : r.summary.corner_reactions) moment += corner.reaction.moment;
+  EXPECT_LT((moment - r.summary.support_reaction.moment).norm(), 1e-9 * r.summary.support_reaction.moment.norm());
 }
 
 /// A quarter of a ring of radius 1 in plane strain under pressure from outside; its symmetry allows the ring's buckling mode.

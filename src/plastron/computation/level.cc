@@ -196,6 +196,15 @@ constexpr int most_newton_steps = 60;
 /// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
 constexpr double negligible_step = 1e-9, small_step = 1e-5;
 
+/// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
+/// motion on the way has snapped.
+constexpr double far_beyond = 3;
+
+double largest_change(algebra::Vector before, const algebra::Vector& now) {
+  algebra::axpy(-1, now, before);
+  return solution::largest_displacement(before);
+}
+
 /// Solves with finite rotations, by Newton steps from the state of the shell.
 Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   assembly::DiscreteShell& discrete = run.discrete();
@@ -205,12 +214,12 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   finite::StepStart start{.prestress = finite::no_prestress(discrete)};
   if (zone) start.zone = *zone;
   finite::NewtonStep step;
-  double before = std::numeric_limits<double>::infinity();
+  double before = std::numeric_limits<double>::infinity(), predicted = 0;
+  bool lost_stiffness = false;
   for (int steps = 0; steps < most_newton_steps; ++steps) {
-    // The undeformed shell may have free motions that contact stops.
-    const bool may_be_free = steps == 0 && !discrete.state.is_deformed();
     step = run.newton_step(start);
-    run.has_jumped = run.has_jumped || (step.shift > 0 && !may_be_free);
+    lost_stiffness = lost_stiffness || (step.shift > 0 && steps > 0);
+    if (steps == 0) predicted = step.largest_displacement;
     if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
     if (step.status() != contact::Status::solved) break;
     linearise(discrete, finite::next_state(discrete, start, step));
@@ -218,11 +227,13 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
     start = std::move(step.next);
     const double size =
         std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
-    const bool is_rounding = size < small_step && size > before / 2;
+    const bool is_rounding = size < small_step && size > 0.9 * before;
     before = size;
     if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
+  if (lost_stiffness && largest_change(nodal.y, discrete.state.displacement) > far_beyond * predicted)
+    run.has_jumped = true;
   if (held_inside_obstacle(discrete)) step.box.status = contact::Status::infeasible;
   if (start.zone.layout()) nodal = solution::nodal_solution(discrete, start.zone);
   return {std::move(step.box), std::move(nodal)};

@@ -59,7 +59,7 @@ struct Level {
   double linear_residual = 0;        ///< relative residual of the last linear solve
   contact::Tolerances tolerances{};  ///< tolerances of bounds and signs
   double max_rotation = 0;           ///< max |r| [rad]
-  /// With finite rotations: a motion had no stiffness on the way, so that the shell snapped to this state.
+  /// With finite rotations: a motion had no stiffness on the way, and the shell moved far beyond the linear prediction.
   bool has_jumped = false;
   /// Membrane forces over those under which a perfect shell buckles (estimation::buckling()), where it was computed.
   std::optional<double> buckling{};

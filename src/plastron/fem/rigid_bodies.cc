@@ -263,13 +263,29 @@ Matrix3d rotation_of(const std::array<Vector3d, 2>& before, const std::array<Vec
   return Eigen::Quaterniond::FromTwoVectors(before[0], now[0]).toRotationMatrix();
 }
 
+/// Returns the rotation from a body's present one to the prescribed one, where all of it is prescribed; else the difference of
+/// the rotation vectors, whose prescribed components vanish in the end.
+Vector3d remaining_rotation(const RigidBody& body, const Matrix3d& turn) {
+  Vector3d prescribed = Vector3d::Zero();
+  bool is_whole = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    is_whole = is_whole && body.fixed[k + 3].has_value();
+    prescribed[static_cast<Eigen::Index>(k)] = body.fixed[k + 3].value_or(0);
+  }
+  if (!is_whole) return prescribed - rotation_vector(turn);
+  const double angle = prescribed.norm();
+  const Matrix3d target =
+      angle > 0 ? Eigen::AngleAxisd(angle, prescribed / angle).toRotationMatrix() : Matrix3d(Matrix3d::Identity());
+  return rotation_vector(target * turn.transpose());
+}
+
 PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
   placed.gram.setZero();
   for (BodyNode& member : placed.members) member.motion = turned_block(place.turn, member.motion);
-  const Vector3d rotation = rotation_vector(place.turn);
+  const Vector3d rotation = remaining_rotation(placed.body, place.turn);
   for (std::size_t k = 0; k < 3; ++k) {
     if (auto& way = placed.body.fixed[k]) *way -= place.displacement[static_cast<Eigen::Index>(k)];
-    if (auto& angle = placed.body.fixed[k + 3]) *angle -= rotation[static_cast<Eigen::Index>(k)];
+    if (auto& angle = placed.body.fixed[k + 3]) *angle = rotation[static_cast<Eigen::Index>(k)];
   }
   return placed;
 }

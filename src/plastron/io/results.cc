@@ -153,7 +153,7 @@ Json fields_json(const computation::Result& result, const std::vector<double>& h
   for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights, layers))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
-  for (const computation::Mode& mode : result.modes)
+  for (const computation::Mode& mode : result.solution ? result.solution->modes : result.modes)
     list.push_back({{"key", mode.name()},
                     {"arrays", {mode.name()}},
                     {"symbol", "v"},
