@@ -197,8 +197,8 @@ constexpr int most_newton_steps = 60;
 constexpr double negligible_step = 1e-9, small_step = 1e-5;
 
 /// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
-/// motion on the way has snapped.
-constexpr double far_beyond = 3;
+/// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
+constexpr double far_beyond = 3, large_part = 0.2;
 
 double largest_change(algebra::Vector before, const algebra::Vector& now) {
   algebra::axpy(-1, now, before);
@@ -232,8 +232,9 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
     if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
-  if (lost_stiffness && largest_change(nodal.y, discrete.state.displacement) > far_beyond * predicted)
-    run.has_jumped = true;
+  const double way = lost_stiffness ? largest_change(nodal.y, discrete.state.displacement) : 0;
+  const double whole = solution::largest_displacement(discrete.state.displacement);
+  run.has_jumped = run.has_jumped || (way > far_beyond * predicted && way > large_part * whole);
   if (held_inside_obstacle(discrete)) step.box.status = contact::Status::infeasible;
   if (start.zone.layout()) nodal = solution::nodal_solution(discrete, start.zone);
   return {std::move(step.box), std::move(nodal)};

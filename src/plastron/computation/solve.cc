@@ -69,9 +69,12 @@ bool record_first(Run& run, Meshes& meshes) {
   }
   auto discrete = std::move(run.solution().discrete);
   if (!approach_from_start(run, discrete, first)) return false;
-  if (!discrete) return advance(run, meshes, first, run.continued_at(first));
-  run.solution().discrete = std::move(discrete);
-  return advance(run, meshes, first, run.state_at(first));
+  const bool starts_anew = discrete != nullptr;
+  if (starts_anew) run.solution().discrete = std::move(discrete);
+  if (!advance(run, meshes, first, starts_anew ? run.state_at(first) : run.continued_at(first))) return false;
+  run.result.history.back().level.has_jumped =
+      false;  // the start knows the contact of the last instant: no way of loading
+  return true;
 }
 
 }  // namespace
