@@ -268,7 +268,7 @@ void print_linearity(const computation::Result& result) {
 /// Prints the margin of stability of an equilibrium with finite rotations.
 void print_stability(const computation::Result& result) {
   if (!result.stability) return;
-  const computation::StabilityMargins& s = *result.stability;
+  const finite::Stability& s = *result.stability;
   print("stability         margin {:.3g} (1 without stresses, 0 where it snaps)", s.margin);
   if (s.weak_nodes > 0) print(", {:.3g} without {} nodes in weak contact", s.margin_without_weak_contact, s.weak_nodes);
   print("\n");

@@ -11,8 +11,8 @@ namespace plastron::study {
 
 std::span<const Kind> kinds() {
   static constexpr std::array all{
-      Kind{"convergence", convergence, nullptr, false, true},
-      Kind{"adaptivity", adaptivity, nullptr, true, true},
+      Kind{.name = "convergence", .run = convergence, .takes_finite_rotations = true},
+      Kind{.name = "adaptivity", .run = adaptivity, .grades_meshes = true, .takes_finite_rotations = true},
       Kind{"penalty", penalty, penalty_variants},
       Kind{"thickness", thickness, thickness_study_variants},
       Kind{"continuity", continuity, continuity_variants},

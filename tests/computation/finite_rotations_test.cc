@@ -45,6 +45,18 @@ problem::Problem strip_of(const std::array<std::string, 3>& chart, double e, dou
   return p;
 }
 
+/// A quarter of a ring of radius 1 in plane strain, symmetric at both ends.
+problem::Problem quarter_ring(double e, int refinements) {
+  problem::Problem p = strip_of({"sin(x)", "y", "-cos(x)"}, e, std::numbers::pi / 2, refinements);
+  p.shell.supports.push_back(
+      {.boundary = "left",
+       .components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::rotation, Direction::x)}});
+  p.shell.supports.push_back(
+      {.boundary = "right",
+       .components = {fixed(Unknown::displacement, Direction::z), fixed(Unknown::rotation, Direction::z)}});
+  return p;
+}
+
 obstacle::Obstacle table(double z, double n = 1) {
   return {.shape = obstacle::HalfSpace{.point = {0, 0, z}, .normal = {0, 0, n}},
           .face = n > 0 ? obstacle::Face::lower : obstacle::Face::upper};
@@ -133,13 +145,7 @@ TEST(FiniteRotations, OfAStripUnderItsEndForce) {  // the end turns by 1.16 rad
 }
 
 TEST(FiniteRotations, OfARingBetweenPlates) {
-  problem::Problem p = strip_of({"sin(x)", "y", "-cos(x)"}, 0.05, std::numbers::pi / 2, 2);
-  p.shell.supports.push_back(
-      {.boundary = "left",
-       .components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::rotation, Direction::x)}});
-  p.shell.supports.push_back(
-      {.boundary = "right",
-       .components = {fixed(Unknown::displacement, Direction::z), fixed(Unknown::rotation, Direction::z)}});
+  problem::Problem p = quarter_ring(0.05, 2);
   p.shell.obstacles.all = {table(-1 - 0.025 + 0.3)};
   // Energy of four quarters, reaction of two, for a width of 1.
   expect_model(p, {1.0944053736183703e-05 / 4, 3.34241391461447e-05 / 2, 1e-4}, 0.1);
@@ -204,16 +210,10 @@ TEST(FiniteRotations, TouchWithTheFaceThatLooksAtTheObstacleThen) {
   EXPECT_LT((moment - r.summary.support_reaction.moment).norm(), 1e-9 * r.summary.support_reaction.moment.norm());
 }
 
-/// A quarter of a ring of radius 1 in plane strain under pressure from outside; its symmetry allows the ring's buckling mode.
+/// A quarter of a ring under pressure from outside. Its symmetry allows the buckling mode of the ring.
 problem::Problem ring_under(double pressure, double e, bool follows) {
-  problem::Problem p = strip_of({"sin(x)", "y", "-cos(x)"}, e, std::numbers::pi / 2, 1);
+  problem::Problem p = quarter_ring(e, 1);
   p.shell.rotations = element::Rotations::finite;
-  p.shell.supports.push_back(
-      {.boundary = "left",
-       .components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::rotation, Direction::x)}});
-  p.shell.supports.push_back(
-      {.boundary = "right",
-       .components = {fixed(Unknown::displacement, Direction::z), fixed(Unknown::rotation, Direction::z)}});
   p.shell.loads.on_areas = {{.pressure = Expression(pressure), .follows = follows}};
   return p;
 }

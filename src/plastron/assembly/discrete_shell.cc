@@ -44,10 +44,9 @@ namespace {
 void linearise_deformed(DiscreteShell& discrete, std::vector<NodeSupport> supports) {
   State increments = discrete.state;
   increments.displacement = {};
-  algebra::Vector y(discrete.space().layout, 6);
-  if (discrete.state.is_deformed())
-    y = discrete.state.displacement =
-        with_unit_directors(discrete.space(), discrete.points, std::move(discrete.state.displacement));
+  algebra::Vector& y = discrete.state.displacement;
+  y = discrete.state.is_deformed() ? with_unit_directors(discrete.space(), discrete.points, std::move(y))
+                                   : algebra::Vector(discrete.space().layout, 6);
   discrete.moved = moved_points(discrete.points, y);
   discrete.places = body_places(discrete.space(), discrete.points, y);
   auto space = turned_space(discrete.shell.space_pointer(), discrete.points, discrete.moved, discrete.places);
@@ -80,7 +79,11 @@ std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, s
                                                                const element::CellField& field) const {
   if (!has_finite_rotations()) return {};
   if (kind == FieldKind::solution) return field / 2;  // see ShellOperator::finite_strains()
-  return state.is_deformed() ? shell.gather(cell, state.displacement) : element::CellField::Zero(field.rows(), 6);
+  return shell.gather(cell, state.displacement);
+}
+
+CellGeometry DiscreteShell::geometry(std::size_t cell) const {
+  return has_finite_rotations() ? shell.geometry(cell, shell.gather(cell, state.displacement)) : shell.geometry(cell);
 }
 
 CellStrain DiscreteShell::strains(std::size_t cell, const algebra::Vector& y) const {
@@ -101,10 +104,8 @@ Energies DiscreteShell::energies(const algebra::Vector& y) const {
 
 Energies DiscreteShell::motion_energies(const algebra::Vector& y) const {
   if (!has_finite_rotations()) return shell.energies(y);
-  return shell.energies_of([&](std::size_t cell) {
-    const element::CellField field = shell.gather(cell, y);
-    return shell.strains(cell, field, shell.geometry(cell, *linearised_at(FieldKind::motion, cell, field)));
-  });
+  return shell.energies_of(
+      [&](std::size_t cell) { return shell.strains(cell, shell.gather(cell, y), geometry(cell)); });
 }
 
 obstacle::ShellPoint DiscreteShell::shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
@@ -153,6 +154,7 @@ double DiscreteShell::tangency_factor() const {
 
 void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
   PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before apply()");
+  PLASTRON_ASSERT(!has_finite_rotations());
   f.fill(0);
   shell.add_product(y, f);
   if (tangency_factor() > 0) add_normal_rotation_form(shell, tangency_factor(), y, f);
@@ -161,10 +163,19 @@ void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
 
 void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const {
   if (has_finite_rotations())
-    f = forces_of_stresses(shell, y, [&](std::size_t c) { return stresses(c, strains(c, y)); });
+    f = forces_of_stresses(
+        shell, [&](std::size_t c) { return stresses(c, strains(c, y)); },
+        [&](std::size_t c) { return shell.geometry(c, shell.gather(c, y)); });
   else
     apply(y, f);
   algebra::axpy(-1, load, f);
+}
+
+algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y) {
+  const ShellOperator& shell = discrete.shell;
+  return forces_of_stresses(
+      shell, [&](std::size_t c) { return shell.weighted_stresses(c, discrete.strains(c, y)); },
+      [&](std::size_t c) { return shell.geometry(c, shell.gather(c, y)); });
 }
 
 }  // namespace plastron::assembly

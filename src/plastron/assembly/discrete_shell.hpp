@@ -16,8 +16,8 @@
 
 namespace plastron::assembly {
 
-/// What a field (u, r) is. A solution has the strains of the model, a motion (a dual solution) their derivative at the state.
-/// With small rotations both are the same.
+/// Kind of a field (u, r). A solution has the strains of the model. A motion, such as a dual solution, has their derivative at
+/// the state. With small rotations both are the same.
 enum class FieldKind { solution, motion };
 
 struct DiscreteShell {
@@ -51,6 +51,9 @@ struct DiscreteShell {
   /// Returns (u, r) of a cell's nodes at which strains(field) are linearised; nothing with small rotations.
   std::optional<element::CellField> linearised_at(FieldKind kind, std::size_t cell,
                                                   const element::CellField& field) const;
+  /// Returns the vectors by which the strains of motions depend on a cell: of the state, or of the undeformed shell if rotations
+  /// are small.
+  CellGeometry geometry(std::size_t cell) const;
   /// Returns the strains at the quadrature points of a cell with nodal values y.
   CellStrain strains(std::size_t cell, const algebra::Vector& y) const;
   /// Returns N, M, Q of strains at the quadrature points, times area, less those of initial strains.
@@ -75,8 +78,8 @@ struct DiscreteShell {
   obstacle::Gap gap(std::size_t k, const obstacle::ShellPoint& at) const { return obstacles.gap(k, at); }
   /// Returns the place on the undeformed face of a local node that obstacle k touches [m].
   Vector3d touching_place(std::size_t k, std::size_t node) const;
-  /// Returns the linearised gap of fields (u, r) between a local node and obstacle k, without the state's lift. It uses
-  /// the tangential part of r [m].
+  /// Returns the linearised gap of fields (u, r) between a local node and obstacle k, without the state's lift. With
+  /// small rotations it uses the tangential part of r [m].
   double nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const;
   /// Distance by which its force has moved obstacle k since its gaps were linearised [m].
   double way_pressed(std::size_t k) const;
@@ -90,21 +93,24 @@ struct DiscreteShell {
 
 /// Linearises the shell at another state: gaps at the faces that the state has moved, their coordinates and bounds, and
 /// the loads. With finite rotations directors get length 1, the loads of rigid bodies turn with them, and initial stresses are
-/// no loads (collective).
-/// Throws SupportError, ObstacleError.
+/// no loads; the state has a displacement afterwards, zero if it had none (collective). Throws SupportError, ObstacleError.
 void linearise(DiscreteShell& discrete, State state);
 
-/// Returns the forces of stresses at (u, r) = y, B(y)' S, on owned nodes. Forces at constrained nodes have not yet been moved
-/// to others. `stresses_at(cell)`: stresses at the cell's quadrature points, times area (collective).
-template <class StressesAt>
-algebra::Vector forces_of_stresses(const ShellOperator& shell, const algebra::Vector& y,
-                                   const StressesAt& stresses_at) {
+/// Returns the forces of stresses, B' S, on owned nodes. Forces at constrained nodes have not yet been moved to others.
+/// `stresses_of(cell)`: stresses at the cell's quadrature points, times area; `geometry_of(cell)`: that of B (collective).
+template <class StressesOf, class GeometryOf>
+algebra::Vector forces_of_stresses(const ShellOperator& shell, const StressesOf& stresses_of,
+                                   const GeometryOf& geometry_of) {
   algebra::Vector f(shell.space().layout, 6);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
-    shell.scatter(c, shell.forces(c, stresses_at(c), shell.geometry(c, shell.gather(c, y))), f);
+    shell.scatter(c, shell.forces(c, stresses_of(c), geometry_of(c)), f);
   f.accumulate_ghosts();
   return f;
 }
+
+/// Returns the derivative of the energy (M27) at (u, r) = y, without the share of initial strains, like forces_of_stresses()
+/// (collective).
+algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);
 
 /// Returns the shell linearised at `state` (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,

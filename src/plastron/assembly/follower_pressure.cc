@@ -2,12 +2,12 @@
 
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/geometry/frame.hpp>
-
-#include <Eigen/Geometry>
+#include <plastron/geometry/rotation.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plastron::assembly {
 
@@ -43,12 +43,6 @@ element::CellField forces_on(const ShellOperator& shell, std::size_t cell, const
   return shell.interpolation().forces_of(cell, shell.tables().quadrature, values);
 }
 
-Eigen::Matrix3d cross_matrix(const geometry::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return m;
-}
-
 }  // namespace
 
 std::vector<Eigen::VectorXd> follower_pressure(const ShellOperator& shell, const Loads& loads) {
@@ -82,8 +76,8 @@ RowMatrix follower_stiffness(const ShellOperator& shell, const Eigen::VectorXd& 
   RowMatrix k = RowMatrix::Zero(6 * nodes, 6 * nodes);
   for (Eigen::Index q = 0; q < pressure.size(); ++q) {
     const geometry::Frame& frame = at.frames[static_cast<std::size_t>(q)];
-    const Eigen::Matrix3d first = -pressure[q] * cross_matrix(frame.a_cov[1]),
-                          second = pressure[q] * cross_matrix(frame.a_cov[0]);
+    const Eigen::Matrix3d first = -pressure[q] * geometry::cross_matrix(frame.a_cov[1]),
+                          second = pressure[q] * geometry::cross_matrix(frame.a_cov[0]);
     // d(y_1 x y_2) = first d_1 v + second d_2 v
     for (Eigen::Index j = 0; j < nodes; ++j) {
       const Eigen::Matrix3d of_node = basis.d1(q, j) * first + basis.d2(q, j) * second;

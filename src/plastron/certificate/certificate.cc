@@ -119,10 +119,7 @@ double energy_derivative(const assembly::DiscreteShell& discrete, const algebra:
     return discrete.energies(scaled).total();
   };
   const double slope = (8 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12 * step);
-  const double work = algebra::dot(
-      forces_of_stresses(discrete.shell, y,
-                         [&](std::size_t c) { return discrete.shell.weighted_stresses(c, discrete.strains(c, y)); }),
-      y);
+  const double work = algebra::dot(forces_of_energy(discrete, y), y);
   return ratio(std::abs(slope - work), std::max(std::abs(work), 2 * energy));
 }
 

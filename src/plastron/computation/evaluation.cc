@@ -1,7 +1,6 @@
 #include <plastron/computation/evaluation.hpp>
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/finite/modes.hpp>
 #include <plastron/zones/contact_zones.hpp>
 
 #include <fmt/format.h>
@@ -82,13 +81,12 @@ void examine_stability(Result& result, Solution& solution) {
   result.stability.reset();
   const bool is_solved = result.status == contact::Status::solved || result.status == contact::Status::inaccurate;
   if (!solution.discrete->has_finite_rotations() || !is_solved) return;
-  finite::Stability found = finite::stability(*solution.discrete, solution.nodal);
-  result.stability = {.margin = found.margin,
-                      .margin_without_weak_contact = found.margin_without_weak_contact,
-                      .weak_nodes = found.weak_nodes};
+  finite::ExaminedStability found = finite::examine_stability(*solution.discrete, solution.nodal);
+  result.stability = found.stability;
+  const double margin = found.stability.margin;
   if (found.motion.layout())
-    solution.modes.push_back({.kind = Mode::Kind::softest, .value = found.margin, .shape = std::move(found.motion)});
-  if (!(found.margin > 0)) result.status = contact::Status::unstable;
+    solution.modes.push_back({.kind = Mode::Kind::softest, .value = margin, .shape = std::move(found.motion)});
+  if (!(margin > 0)) result.status = contact::Status::unstable;
 }
 
 void add_contact_zones(Result& result) {

@@ -191,7 +191,7 @@ Found solved_linear(LevelRun& run, const LevelTask& task, const algebra::Vector*
   return {std::move(z), std::move(nodal)};
 }
 
-/// Newton steps after which a shell with finite rotations counts as without equilibrium near its state.
+/// Number of Newton steps after which a shell with finite rotations has no equilibrium near its state.
 constexpr int most_newton_steps = 60;
 /// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
 constexpr double negligible_step = 1e-9, small_step = 1e-5;
@@ -200,7 +200,7 @@ constexpr double negligible_step = 1e-9, small_step = 1e-5;
 /// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
 constexpr double far_beyond = 3, large_part = 0.2;
 
-double largest_change(algebra::Vector before, const algebra::Vector& now) {
+double largest_way(algebra::Vector before, const algebra::Vector& now) {
   algebra::axpy(-1, now, before);
   return solution::largest_displacement(before);
 }
@@ -210,7 +210,7 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   assembly::DiscreteShell& discrete = run.discrete();
   solution::NodalSolution nodal =
       solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, discrete.obstacle_block()));
-  // Stresses of an interpolated state are no guide: rotations that do not fit leave stretch behind.
+  // The stresses of an interpolated state are not used: rotations that do not fit leave a false stretch in it.
   finite::StepStart start{.prestress = finite::no_prestress(discrete)};
   if (zone) start.zone = *zone;
   finite::NewtonStep step;
@@ -232,7 +232,7 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
     if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
-  const double way = lost_stiffness ? largest_change(nodal.y, discrete.state.displacement) : 0;
+  const double way = lost_stiffness ? largest_way(nodal.y, discrete.state.displacement) : 0;
   const double whole = solution::largest_displacement(discrete.state.displacement);
   run.has_jumped = run.has_jumped || (way > far_beyond * predicted && way > large_part * whole);
   if (held_inside_obstacle(discrete)) step.box.status = contact::Status::infeasible;

@@ -63,16 +63,16 @@ double largest_change(const std::vector<ModelQuantity>& before, const std::vecto
 }
 
 /// Sets the values after a step, whose end has this largest displacement.
-void set_finite_values(const finite::NewtonStep& step, double displacement, const Solution& solution,
+void set_finite_values(const finite::StepTotals& totals, double displacement, const Solution& solution,
                        std::vector<ModelQuantity>& numbers) {
   std::size_t next = 0;
-  numbers[next++].finite = step.energy;
-  for (const Eigen::Vector3d& force : step.obstacle_forces) numbers[next++].finite = force.norm();
+  numbers[next++].finite = totals.energy;
+  for (const Eigen::Vector3d& force : totals.obstacle_forces) numbers[next++].finite = force.norm();
   numbers[next++].finite = displacement;
   if (next == numbers.size()) return;
   // Nodal areas in contact are coarser than areas within the boundaries of zones: their ratio is used.
   const double nodal = nodal_contact_area(solution);
-  numbers[next].finite = nodal > 0 ? numbers[next].linear * step.contact_area / nodal : 0;
+  numbers[next].finite = nodal > 0 ? numbers[next].linear * totals.contact_area / nodal : 0;
 }
 
 }  // namespace
@@ -91,9 +91,10 @@ ModelCheck check_model(const Solution& solution, const solution::Summary& summar
     check.factorisations += step.factorisations;
     check.status = step.status();
     if (check.status != contact::Status::solved) return check;
+    const finite::StepTotals totals = totals_after(*discrete, step);
     linearise(*discrete, finite::next_state(*discrete, start, step));
     const std::vector<ModelQuantity> before = numbers;
-    set_finite_values(step, solution::largest_displacement(discrete->state.displacement), solution, numbers);
+    set_finite_values(totals, solution::largest_displacement(discrete->state.displacement), solution, numbers);
     check.is_stable = step.shift == 0;
     is_rough = !check.is_stable || step.is_too_long() || largest_change(before, numbers) > rough_change;
     start = std::move(step.next);

@@ -3,6 +3,7 @@
 #include <plastron/certificate/certificate_limits.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/estimation/goal_record.hpp>
+#include <plastron/finite/modes.hpp>
 #include <plastron/recovery/layer_stresses.hpp>
 #include <plastron/recovery/stress_peak.hpp>
 
@@ -101,13 +102,6 @@ struct Solution {
   std::vector<certificate::CellGap> entered{};  ///< this rank's cells with a gap below 0 in some place
 };
 
-/// Second-order conditions of an equilibrium with finite rotations (finite/modes.hpp); NaN where they are not examined.
-struct StabilityMargins {
-  double margin = std::numeric_limits<double>::quiet_NaN();
-  double margin_without_weak_contact = std::numeric_limits<double>::quiet_NaN();
-  std::int64_t weak_nodes = 0;
-};
-
 /// The solution at the end of a step, or of a part of one.
 struct HistoryEntry {
   std::string step;  ///< name of the step
@@ -118,7 +112,7 @@ struct HistoryEntry {
   Level level;  ///< how it was computed
   solution::Summary summary;
   std::vector<ProbeValue> probes{};
-  std::optional<StabilityMargins> stability{};  ///< with finite rotations
+  std::optional<finite::Stability> stability{};  ///< with finite rotations
 };
 
 /// A number of the linear solution beside the same number of the model with finite rotations.
@@ -180,9 +174,9 @@ struct Result {
   std::optional<Solution> solution{};   ///< empty when nothing could be solved
   /// Estimates of the last solution's errors; empty if there is no solution or if not requested.
   std::optional<estimation::Estimates> estimates{};
-  std::vector<Mode> modes{};                    ///< those of the solution, without shapes
-  std::optional<StabilityMargins> stability{};  ///< of the last solution with finite rotations
-  std::optional<ModelCheck> model{};            ///< the worst of all that were made; empty if there is none
+  std::vector<Mode> modes{};                     ///< those of the solution, without shapes
+  std::optional<finite::Stability> stability{};  ///< of the last solution with finite rotations
+  std::optional<ModelCheck> model{};             ///< the worst of all that were made; empty if there is none
 
   /// Data of the last solution: on the finest mesh, at the last instant.
   const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }

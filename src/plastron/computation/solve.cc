@@ -72,8 +72,8 @@ bool record_first(Run& run, Meshes& meshes) {
   const bool starts_anew = discrete != nullptr;
   if (starts_anew) run.solution().discrete = std::move(discrete);
   if (!advance(run, meshes, first, starts_anew ? run.state_at(first) : run.continued_at(first))) return false;
-  run.result.history.back().level.has_jumped =
-      false;  // the start knows the contact of the last instant: no way of loading
+  // The iteration started from the contact of the last instant: its way is not that of the loading.
+  run.result.history.back().level.has_jumped = false;
   return true;
 }
 

@@ -1,6 +1,5 @@
 #include <plastron/computation/warnings.hpp>
 
-#include <plastron/finite/modes.hpp>
 #include <plastron/meshing/sizes.hpp>
 
 #include <fmt/format.h>
@@ -195,8 +194,9 @@ std::vector<std::string> jump_warnings(const Result& result) {
   std::string when;
   for (const HistoryEntry& instant : result.history)
     if (instant.level.has_jumped) when += fmt::format("{}{:g}", when.empty() ? " at time " : ", ", instant.time);
-  if (result.history.empty() && std::ranges::none_of(result.levels, &Level::has_jumped)) return {};
-  if (!result.history.empty() && when.empty()) return {};
+  const bool has_jumped =
+      result.history.empty() ? std::ranges::any_of(result.levels, &Level::has_jumped) : !when.empty();
+  if (!has_jumped) return {};
   return {
       fmt::format("the shell snaps to another equilibrium{}: during the iteration a motion lost its stiffness; it need "
                   "not be the equilibrium that follows in time; solve it in [[step]]s of more parts to see where it "
@@ -206,7 +206,7 @@ std::vector<std::string> jump_warnings(const Result& result) {
 
 std::vector<std::string> stability_warnings(const Result& result) {
   if (!result.stability || result.status == contact::Status::unstable) return {};
-  const StabilityMargins& s = *result.stability;
+  const finite::Stability& s = *result.stability;
   if (s.margin < near_critical)
     return {fmt::format(
         "the equilibrium is nearly critical: a motion has {:.2g} of the stiffness that the shell has without "

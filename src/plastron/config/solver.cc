@@ -26,7 +26,7 @@ Section model_section() {
       "Validity of the linear model.",
       {key("check", &problem::Problem::checks_model, {.fallback = "true"},
            "false: do not compare the solution with the model of finite rotations. The comparison gives its energy and "
-           "reactions to some per cent, at the cost of one or two contact problems on one of the meshes")}};
+           "reactions to some per cent, at the cost of one to eight contact problems on one of the meshes")}};
 }
 
 Section modes_section() {

@@ -27,10 +27,7 @@ Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
   const assembly::DiscreteShell& discrete = solved.discrete;
   result.value = discrete.energies(solved.nodal.y).total();
   if (discrete.has_finite_rotations()) {
-    const auto stresses = [&](std::size_t c) {
-      return discrete.shell.weighted_stresses(c, discrete.strains(c, solved.nodal.y));
-    };
-    result.dual.load = dual_load(forces_of_stresses(discrete.shell, solved.nodal.y, stresses), solved);
+    result.dual.load = dual_load(forces_of_energy(discrete, solved.nodal.y), solved);
     return result;
   }
   for (std::size_t i = 0; i < solved.z.activity.size(); ++i)

@@ -50,9 +50,6 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Eigen::Vector3d> normals,
                                     std::span<const Eigen::Vector3d> directors, std::span<const BodyPlace> places);
 
-/// Returns axis times angle of a rotation [rad].
-Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& turn);
-
 /// d [m] and theta [rad].
 struct BodyMotion {
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero(), rotation = Eigen::Vector3d::Zero();

@@ -3,6 +3,7 @@
 #include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/geometry/rotation.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <fmt/format.h>
@@ -57,18 +58,12 @@ Members members_of(const RigidBody& body, const Space& space, const Surface& sur
   return members;
 }
 
-Matrix3d cross_matrix(const Vector3d& v) {
-  Matrix3d m;
-  m << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return m;
-}
-
 /// Motion matrix for (d, length theta), with theta x v = -[v]x theta.
 Matrix6 motion_at(const RigidBody& body, const BoundaryNode& node, double length) {
   Matrix6 w = Matrix6::Zero();
   w.topLeftCorner<3, 3>().setIdentity();
-  w.topRightCorner<3, 3>() = -cross_matrix(node.place - body.reference) / length;
-  if (body.turns_normals) w.bottomRightCorner<3, 3>() = -cross_matrix(node.normal) / length;
+  w.topRightCorner<3, 3>() = -geometry::cross_matrix(node.place - body.reference) / length;
+  if (body.turns_normals) w.bottomRightCorner<3, 3>() = -geometry::cross_matrix(node.normal) / length;
   return w;
 }
 
@@ -249,7 +244,7 @@ Matrix6 turned_block(const Matrix3d& turn, const Matrix6& block) {
 }
 
 /// Returns the rotation that takes two unit vectors to two others, nearly; of parallel ones the least rotation.
-Matrix3d rotation_of(const std::array<Vector3d, 2>& before, const std::array<Vector3d, 2>& now) {
+Matrix3d rotation_between(const std::array<Vector3d, 2>& before, const std::array<Vector3d, 2>& now) {
   constexpr double parallel = 0.05;
   const auto frame = [](const std::array<Vector3d, 2>& pair) {
     Matrix3d columns;
@@ -272,11 +267,8 @@ Vector3d remaining_rotation(const RigidBody& body, const Matrix3d& turn) {
     is_whole = is_whole && body.fixed[k + 3].has_value();
     prescribed[static_cast<Eigen::Index>(k)] = body.fixed[k + 3].value_or(0);
   }
-  if (!is_whole) return prescribed - rotation_vector(turn);
-  const double angle = prescribed.norm();
-  const Matrix3d target =
-      angle > 0 ? Eigen::AngleAxisd(angle, prescribed / angle).toRotationMatrix() : Matrix3d(Matrix3d::Identity());
-  return rotation_vector(target * turn.transpose());
+  if (!is_whole) return prescribed - geometry::rotation_vector(turn);
+  return geometry::rotation_vector(geometry::rotation_of(prescribed) * turn.transpose());
 }
 
 PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
@@ -292,11 +284,6 @@ PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
 
 }  // namespace
 
-Vector3d rotation_vector(const Matrix3d& turn) {
-  const Eigen::AngleAxisd rotation(turn);
-  return rotation.angle() * rotation.axis();
-}
-
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Vector3d> normals,
                                     std::span<const Vector3d> directors, std::span<const BodyPlace> places) {
   if (space->bodies.empty() && space->kinks.is_identity()) return space;
@@ -310,7 +297,8 @@ std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, s
     for (constraints::Term& term : row.terms) {
       if (!term.block) continue;
       const auto source = static_cast<std::size_t>(term.node);
-      if (source != node) last = rotation_of({normals[source], normals[node]}, {directors[source], directors[node]});
+      if (source != node)
+        last = rotation_between({normals[source], normals[node]}, {directors[source], directors[node]});
       term = constraints::term(term.node, term.weight * turned_block(last, *term.block));
     }
     rows.push_back(std::move(row));

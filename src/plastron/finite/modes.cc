@@ -159,21 +159,37 @@ Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::No
 
 namespace {
 
-/// Returns the smallest theta of (K_M + K_G) v = theta K_M v to three digits; no result if K_M is not definite.
-std::optional<algebra::Eigenpairs> softest(const assembly::DiscreteShell& discrete,
-                                           const solution::NodalSolution& solution, const SmallMotions& motions) {
-  constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-3, .max_restarts = 30};
-  const algebra::Matrix material = material_matrix(discrete, motions.coordinates);
-  const algebra::Matrix tangent = hessian(discrete, solution, motions.coordinates);
-  if (auto pairs = algebra::smallest_eigenpairs(tangent, material, motions.fixed, 0, settings); pairs.converged)
+/// Finds the smallest theta of (K_M + K_G) v = theta K_M v with different sets of fixed coordinates.
+class SoftestMotion {
+ public:
+  SoftestMotion(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                const NodalCoordinates& coordinates)
+      : discrete_(discrete),
+        solution_(solution),
+        coordinates_(coordinates),
+        material_(material_matrix(discrete, coordinates)),
+        tangent_(hessian(discrete, solution, coordinates)) {}
+
+  /// Returns theta to three digits with its motion; no result if K_M is not definite (collective).
+  std::optional<algebra::Eigenpairs> operator()(std::span<const char> fixed) const {
+    constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-3, .max_restarts = 30};
+    if (auto pairs = algebra::smallest_eigenpairs(tangent_, material_, fixed, 0, settings); pairs.converged)
+      return pairs;
+    // A motion lowers the energy, so that the tangent has no Cholesky factor.
+    algebra::Matrix geometric = geometric_matrix(discrete_, prestress(discrete_, solution_), coordinates_);
+    add_curvature_of_obstacles(discrete_, solution_, geometric);
+    auto pairs = largest_destabilisations(material_, geometric, fixed, settings);
+    if (pairs)
+      for (double& value : pairs->values) value = 1 - value;
     return pairs;
-  algebra::Matrix geometric = geometric_matrix(discrete, prestress(discrete, solution), motions.coordinates);
-  add_curvature_of_obstacles(discrete, solution, geometric);
-  auto pairs = largest_destabilisations(material, geometric, motions.fixed, settings);
-  if (pairs)
-    for (double& value : pairs->values) value = 1 - value;
-  return pairs;
-}
+  }
+
+ private:
+  const assembly::DiscreteShell& discrete_;
+  const solution::NodalSolution& solution_;
+  const NodalCoordinates& coordinates_;
+  algebra::Matrix material_, tangent_;
+};
 
 double margin_of(const std::optional<algebra::Eigenpairs>& pairs) {
   return pairs && !pairs->values.empty() ? std::min(pairs->values[0], 1.0) : std::numeric_limits<double>::quiet_NaN();
@@ -181,14 +197,16 @@ double margin_of(const std::optional<algebra::Eigenpairs>& pairs) {
 
 }  // namespace
 
-Stability stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   SmallMotions motions = small_motions(discrete, solution);
-  Stability result;
-  const auto held = softest(discrete, solution, motions);
-  result.margin = result.margin_without_weak_contact = margin_of(held);
-  if (result.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);
-  result.weak_nodes = release_weak_contact(discrete, solution, motions.fixed);
-  if (result.weak_nodes > 0) result.margin_without_weak_contact = margin_of(softest(discrete, solution, motions));
+  const SoftestMotion softest(discrete, solution, motions.coordinates);
+  ExaminedStability result;
+  Stability& stability = result.stability;
+  const auto held = softest(motions.fixed);
+  stability.margin = stability.margin_without_weak_contact = margin_of(held);
+  if (stability.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);
+  stability.weak_nodes = release_weak_contact(discrete, solution, motions.fixed);
+  if (stability.weak_nodes > 0) stability.margin_without_weak_contact = margin_of(softest(motions.fixed));
   return result;
 }
 

@@ -24,12 +24,11 @@ Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::No
 /// 0; negative ones grow: the solution is not stable. Precondition: some density (collective).
 Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count);
 
-/// Second-order conditions at an equilibrium with finite rotations.
+/// Second-order conditions of an equilibrium with finite rotations.
 struct Stability {
   /// Smallest theta of (K_M + K_G) v = theta K_M v, with the curvature of obstacles: 1 without stresses, 0 at a critical state,
   /// negative where a motion lowers the energy; NaN if K_M is not definite, so that a motion costs nothing.
   double margin = std::numeric_limits<double>::quiet_NaN();
-  algebra::Vector motion{};  ///< (u, r) of v, the largest |u| is 1; without layout where the margin is 1 or NaN
   /// The same if nodes may leave their obstacle whose eta is below weak_part of its largest. Where such nodes alone keep a
   /// shell in place, a small disturbance can make it snap. Equal to the margin without such nodes.
   double margin_without_weak_contact = std::numeric_limits<double>::quiet_NaN();
@@ -38,7 +37,13 @@ struct Stability {
   static constexpr double weak_part = 1e-2;
 };
 
+struct ExaminedStability {
+  Stability stability{};
+  /// (u, r) of the motion of the margin, the largest |u| is 1; without layout where the margin is 1 or NaN.
+  algebra::Vector motion{};
+};
+
 /// Examines a solution at the state of its shell (collective). Throws ObstacleError.
-Stability stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
+ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 }  // namespace plastron::finite

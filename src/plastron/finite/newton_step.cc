@@ -13,52 +13,39 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Returns W (M27) of strains, without the constant of initial strains.
-double energy_of(const assembly::ShellOperator& shell, std::size_t cell, const CellStrain& strains) {
-  return strains.cwiseProduct(shell.weighted_stresses(cell, strains)).sum() / 2;
-}
-
-algebra::Vector displacement_of(const assembly::DiscreteShell& discrete) {
-  return discrete.state.is_deformed() ? discrete.state.displacement : algebra::Vector(discrete.space().layout, 6);
-}
-
-/// Sets stresses and energy of the linearised strains.
-void set_stresses(const assembly::DiscreteShell& discrete, NewtonStep& step) {
+/// Returns the linearised strains after the step.
+CellStrain strains_after(const assembly::DiscreteShell& discrete, const NewtonStep& step, std::size_t cell) {
   const assembly::ShellOperator& shell = discrete.shell;
-  const algebra::Vector y = displacement_of(discrete);
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const element::CellField field = shell.gather(c, y);
-    const CellStrain strains =
-        shell.finite_strains(c, field) + shell.strains(c, shell.gather(c, step.increment), shell.geometry(c, field));
-    step.next.prestress.stresses.push_back(discrete.stresses(c, strains));
-    step.energy += energy_of(shell, c, strains);
-  }
-  step.energy = algebra::sum_over_ranks(step.energy, shell.space().layout->comm);
+  return shell.finite_strains(cell, shell.gather(cell, discrete.state.displacement)) +
+         shell.strains(cell, shell.gather(cell, step.increment), discrete.geometry(cell));
 }
 
-/// Sets the reactions of obstacles and the nodes in contact.
-void set_reactions(const assembly::DiscreteShell& discrete, NewtonStep& step) {
-  const NodalCoordinates& coordinates = discrete.coordinates;
-  const auto& layout = discrete.space().layout;
-  step.obstacle_forces.assign(coordinates.gaps.size(), Vector3d::Zero());
-  step.next.prestress.contact_couples.assign(static_cast<std::size_t>(layout->owned), 0);
-  step.next.zone = algebra::Vector(layout, std::max(1, static_cast<int>(coordinates.gaps.size())));
+/// Calls visit(row, force) for the nodes that touch after the step.
+template <class Visit>
+void for_reactions(const NodalCoordinates& coordinates, const contact::BoxSolution& box, const Visit& visit) {
   for (const ContactRow& row : coordinates.rows) {
     if (!row.binds) continue;
     const std::size_t unknown = coordinates.at(row.node, row.coordinate);
-    if (step.box.activity[unknown] != bound_of(row)) continue;
+    if (box.activity[unknown] == bound_of(row)) visit(row, box.multiplier.owned()[unknown] / row.scale);
+  }
+}
+
+/// Returns the start of the next step, before a shortening.
+StepStart start_after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  const auto& layout = discrete.space().layout;
+  StepStart next{.zone = algebra::Vector(layout, discrete.obstacle_block())};
+  for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
+    next.prestress.stresses.push_back(discrete.stresses(c, strains_after(discrete, step, c)));
+  next.prestress.contact_couples.assign(static_cast<std::size_t>(layout->owned), 0);
+  for_reactions(coordinates, step.box, [&](const ContactRow& row, double force) {
     const auto k = static_cast<std::size_t>(row.obstacle);
     const obstacle::Gap& gap = coordinates.gaps[k][row.node];
-    const double force = step.box.multiplier.owned()[unknown] / row.scale;
-    step.obstacle_forces[k] += force * gap.normal;
-    step.contact_area += discrete.points[row.node].weight;
-    step.next.prestress.contact_couples[row.node] += force * gap.arm * gap.normal.dot(discrete.place(row.node).a3);
-    step.next.zone.at(row.node)[k] = 1;
-  }
-  step.next.zone.update_ghosts();
-  for (Vector3d& force : step.obstacle_forces)
-    for (double& component : force) component = algebra::sum_over_ranks(component, layout->comm);
-  step.contact_area = algebra::sum_over_ranks(step.contact_area, layout->comm);
+    next.prestress.contact_couples[row.node] += force * gap.arm * gap.normal.dot(discrete.place(row.node).a3);
+    next.zone.at(row.node)[k] = 1;
+  });
+  next.zone.update_ghosts();
+  return next;
 }
 
 constexpr double least_shift = 1e-6, largest_shift = 0.3;
@@ -67,7 +54,7 @@ constexpr double least_shift = 1e-6, largest_shift = 0.3;
 contact::BoxProblem increments(const assembly::DiscreteShell& discrete, const algebra::Matrix& matrix) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   algebra::Vector forces(discrete.space().layout, 6), load(discrete.space().layout, coordinates.width);
-  discrete.residual(displacement_of(discrete), forces);
+  discrete.residual(discrete.state.displacement, forces);
   coordinates.add_transposed(forces, load);
   for (double& value : load.local()) value = -value;
   return {.matrix = matrix,
@@ -130,9 +117,26 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   coordinates.to_cartesian(step.box.z, step.increment);
   step.largest_rotation = largest_rotation(step.increment);
   step.largest_displacement = solution::largest_displacement(step.increment);
-  set_stresses(discrete, step);
-  set_reactions(discrete, step);
+  step.next = start_after(discrete, step);
   return step;
+}
+
+StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
+  const NodalCoordinates& coordinates = discrete.coordinates;
+  const MPI_Comm comm = discrete.space().layout->comm;
+  StepTotals totals{
+      .energy =
+          discrete.shell.energies_of([&](std::size_t cell) { return strains_after(discrete, step, cell); }).total(),
+      .obstacle_forces{coordinates.gaps.size(), Vector3d::Zero()}};
+  for_reactions(coordinates, step.box, [&](const ContactRow& row, double force) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    totals.obstacle_forces[k] += force * coordinates.gaps[k][row.node].normal;
+    totals.contact_area += discrete.points[row.node].weight;
+  });
+  for (Vector3d& force : totals.obstacle_forces)
+    for (double& component : force) component = algebra::sum_over_ranks(component, comm);
+  totals.contact_area = algebra::sum_over_ranks(totals.contact_area, comm);
+  return totals;
 }
 
 ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
@@ -157,7 +161,7 @@ assembly::State next_state(const assembly::DiscreteShell& discrete, const StepSt
   const auto pressed = assembly::pressed_obstacles(discrete);
   next.positions = discrete.positions();
   for (std::size_t j = 0; j < pressed.size(); ++j) next.positions[pressed[j]] += part * step.box.positions[j];
-  next.displacement = displacement_of(discrete);
+  next.displacement = discrete.state.displacement;
   algebra::axpy(part, step.increment, next.displacement);
   next.displacement.update_ghosts();
   if (part < 1)

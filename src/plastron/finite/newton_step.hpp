@@ -4,12 +4,11 @@
 #include <plastron/finite/tangent.hpp>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace plastron::finite {
 
-/// What a step needs beside the shell, linearised at its state.
+/// Data with which a step starts, beside the shell linearised at its state.
 struct StepStart {
   Prestress prestress{};
   algebra::Vector zone{};  ///< a value for each node and obstacle, above one half where contact is likely
@@ -25,11 +24,6 @@ struct NewtonStep {
   double largest_displacement = 0;  ///< largest |v| of the increment [m]
   algebra::Vector increment{};      ///< (v, s), block 6
   StepStart next{};                 ///< start of the step from the end of this one
-  /// Energy (M27) of the linearised strains, without the constant of initial strains [J].
-  double energy = 0;
-  std::vector<Eigen::Vector3d> obstacle_forces{};  ///< forces on the shell [N]
-  double contact_area = 0;                         ///< sum of the nodal areas in contact [m^2]
-
   /// Rotations above this limit are shortened, because longer steps can diverge [rad].
   static constexpr double longest_rotation = 0.5;
   bool is_too_long() const { return largest_rotation > longest_rotation; }
@@ -49,6 +43,15 @@ bool has_no_minimiser(contact::Status status);
 /// (collective). Precondition: finite rotations.
 NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart& start,
                        const contact::Settings& settings, const contact::Observer& observer = {});
+
+/// Totals of the linearised shell after a step.
+struct StepTotals {
+  double energy = 0;                               ///< (M27) of the linearised strains, without initial strains [J]
+  std::vector<Eigen::Vector3d> obstacle_forces{};  ///< forces on the shell [N]
+  double contact_area = 0;                         ///< sum of the nodal areas in contact [m^2]
+};
+/// Computes the totals, before the shell is linearised at the next state (collective).
+StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonStep& step);
 
 /// Returns the contact problem of the last step at a solution, as dual problems need it: increments are 0, bounds act where
 /// nodes touch, multipliers are the reactions (collective). `matrix`: hessian() at the solution; it must outlive the result.

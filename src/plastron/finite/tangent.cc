@@ -84,12 +84,6 @@ void add_curvature_of_spheres(const assembly::DiscreteShell& discrete, const alg
   }
 }
 
-/// Returns (u, r) at which strains are linearised.
-algebra::Vector linearised_at(const assembly::DiscreteShell& discrete) {
-  return discrete.has_finite_rotations() && discrete.state.is_deformed() ? discrete.state.displacement
-                                                                         : algebra::Vector(discrete.space().layout, 6);
-}
-
 /// Returns the stiffness of a cell by stresses and by pressure that follows it.
 constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                              const assembly::NodalCoordinates& coordinates, std::size_t cell,
@@ -110,8 +104,9 @@ template <class OfCell>
 algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
   algebra::Matrix matrix = assembly::matrix_of_cells(discrete.space(), coordinates.width, of_cell);
-  algebra::Vector forces =
-      forces_of_stresses(discrete.shell, linearised_at(discrete), [&](std::size_t c) { return prestress.stresses[c]; });
+  algebra::Vector forces = forces_of_stresses(
+      discrete.shell, [&](std::size_t c) { return prestress.stresses[c]; },
+      [&](std::size_t c) { return discrete.geometry(c); });
   algebra::axpy(-1, discrete.load, forces);
   if (!discrete.has_finite_rotations())
     algebra::axpy(discrete.state.load_factor, assembly::initial_forces(discrete.shell), forces);
@@ -154,29 +149,23 @@ element::CellField geometric_forces(const ShellOperator& shell, const CellStrain
 
 algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
                                 const assembly::NodalCoordinates& coordinates) {
-  const ShellOperator& shell = discrete.shell;
-  const algebra::Vector y = linearised_at(discrete);
   return assembly::matrix_of_cells(discrete.space(), coordinates.width, [&](std::size_t c) {
-    return assembly::material_stiffness(shell, coordinates, c, shell.geometry(c, shell.gather(c, y)));
+    return assembly::material_stiffness(discrete.shell, coordinates, c, discrete.geometry(c));
   });
 }
 
 algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                  const assembly::NodalCoordinates& coordinates) {
-  const ShellOperator& shell = discrete.shell;
-  const algebra::Vector y = linearised_at(discrete);
   return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
-    return stiffness_by_forces(discrete, prestress, coordinates, c, shell.geometry(c, shell.gather(c, y)));
+    return stiffness_by_forces(discrete, prestress, coordinates, c, discrete.geometry(c));
   });
 }
 
 algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates) {
-  const ShellOperator& shell = discrete.shell;
-  const algebra::Vector y = linearised_at(discrete);
   return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
-    const assembly::CellGeometry at = shell.geometry(c, shell.gather(c, y));
-    constraints::NodeColumns k = assembly::material_stiffness(shell, coordinates, c, at);
+    const assembly::CellGeometry at = discrete.geometry(c);
+    constraints::NodeColumns k = assembly::material_stiffness(discrete.shell, coordinates, c, at);
     k.matrix += stiffness_by_forces(discrete, prestress, coordinates, c, at).matrix;
     return k;
   });

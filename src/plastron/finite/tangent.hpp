@@ -15,7 +15,7 @@ namespace plastron::finite {
 
 using assembly::CellStrain;
 
-/// What a step with mixed integration points takes from the step before.
+/// Data that a step with mixed integration points takes from the step before.
 struct Prestress {
   std::vector<CellStrain> stresses{};     ///< N, M, Q times area at the quadrature points of owned cells
   std::vector<double> contact_couples{};  ///< couples of contact forces along the directors of owned nodes [N m]

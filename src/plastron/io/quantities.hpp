@@ -26,11 +26,15 @@ struct Quantity {
 
 /// Returns null for infinity and NaN, which JSON does not have.
 Json number(double value);
+Json triple(const Eigen::Vector3d& v);
+Json pair(const Eigen::Vector2d& v);
 
 std::span<const Quantity<computation::Result>> result_quantities();
-/// Paths inside "singular_places[]".
+/// Paths inside "linearity.quantities[]".
 std::span<const Quantity<computation::ModelQuantity>> model_quantities();
+/// Paths inside "modes[]".
 std::span<const Quantity<computation::Mode>> mode_quantities();
+/// Paths inside "singular_places[]".
 std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities();
 /// Paths inside "layers[]".
 std::span<const Quantity<recovery::LayerStress>> layer_quantities();
@@ -50,6 +54,7 @@ std::span<const Quantity<computation::Result>> admissible_quantities();
 std::span<const Quantity<computation::Result>> estimate_quantities();
 /// Paths inside "estimates.goals[]".
 std::span<const Quantity<estimation::GoalEstimate>> goal_quantities();
+/// Paths inside "geometry".
 std::span<const Quantity<estimation::GeometryDeviation>> geometry_quantities();
 /// Paths inside "obstacles[]".
 std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities();

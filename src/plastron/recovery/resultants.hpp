@@ -2,6 +2,7 @@
 // plane, and their transformation between tangent planes.
 #pragma once
 #include <plastron/geometry/frame.hpp>
+#include <plastron/geometry/rotation.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <optional>
@@ -33,9 +34,7 @@ inline SurfaceAxes surface_axes(const Vector3d& tangent, const Vector3d& a3, con
 
 /// The smallest rotation that turns the normal `from` into `to`. Precondition: they are not opposite.
 inline Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to) {
-  const Vector3d w = from.cross(to);
-  Eigen::Matrix3d cross;
-  cross << 0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0;
+  const Eigen::Matrix3d cross = geometry::cross_matrix(from.cross(to));
   return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + from.dot(to));
 }
 

@@ -1,6 +1,7 @@
 #include <plastron/solution/body_reactions.hpp>
 
 #include <plastron/fem/constraints.hpp>
+#include <plastron/geometry/rotation.hpp>
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& moti
 fem::BodyMotion motion_of(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y) {
   if (!discrete.has_finite_rotations()) return fem::motion_of(discrete.space(), discrete.space().bodies[body], y);
   const fem::BodyPlace& place = discrete.places[body];
-  return {place.displacement, fem::rotation_vector(place.turn)};
+  return {place.displacement, geometry::rotation_vector(place.turn)};
 }
 
 /// Adds the unknowns whose nodes this rank owns. Returns their reactions, moments divided by the length; zero

@@ -92,7 +92,7 @@ NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const cont
 
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const algebra::Vector& touching) {
   NodalSolution solution = zero_solution(discrete);
-  if (discrete.state.is_deformed()) solution.y = discrete.state.displacement;
+  solution.y = discrete.state.displacement;
   set_contact(
       discrete,
       [&](const assembly::ContactRow& row) {

@@ -1,8 +1,7 @@
 #include <plastron/solution/summary.hpp>
 
 #include <plastron/assembly/normal_rotation.hpp>
-
-#include <Eigen/Geometry>
+#include <plastron/geometry/rotation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -88,10 +87,9 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
 
 /// The obstacle's place, with no contact.
 ObstacleContact untouched(const obstacle::Obstacle& at_start, const obstacle::Obstacle& now) {
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(now.placement.rotation * at_start.placement.rotation.transpose()));
   return {.name = now.name,
           .translation = now.placement.translation - at_start.placement.translation,
-          .rotation = turn.angle() * turn.axis()};
+          .rotation = geometry::rotation_vector(now.placement.rotation * at_start.placement.rotation.transpose())};
 }
 
 Sums sums_over_nodes(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
