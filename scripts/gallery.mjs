@@ -21,11 +21,17 @@ function sevenDigits(value) {
   return `${digits}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
 }
 
-/** The number at a path like probes.tip.u.2 of results.json, with its unit. */
-function numberAt(json, path) {
-  const steps = path.split('.');
-  const value = steps.reduce((part, step) => part?.[step], json);
+function valueAt(json, path) {
+  const value = path.split('.').reduce((part, step) => part?.[step], json);
   if (!Number.isFinite(value)) throw new Error(`results.json of "${json.title}" has no number ${path}`);
+  return value;
+}
+
+/** The number at a path like probes.tip.u.2 of results.json, with its unit. Beside a much larger number, rounding counts as 0. */
+function numberAt(json, path, beside = 0) {
+  const steps = path.split('.');
+  const given = valueAt(json, path);
+  const value = Math.abs(given) <= 1e-10 * Math.abs(beside) ? 0 : given;
   const place = steps.filter((step, k) => k < steps.length - 1 || !/^\d+$/.test(step)); // without the component of a vector
   const isNamed = (key) => key.split('/').length === place.length && key.split('/').every((part, k) => part === '*' || part === place[k]);
   const unit = json.units[Object.keys(json.units).find(isNamed)];
@@ -38,14 +44,15 @@ const pictureFile = (entry) => `${entry.case}${typeof entry.picture === 'string'
 
 const question = (text) => text.match(/\*\*Question\.\*\* ([\s\S]*?)\n\n/)[1].replace(/\s+/g, ' ').trim();
 
-/** The answers of an entry in a file of results. */
-const answers = (entry, json) => entry.answers.map(([label, path]) => `${label} **${numberAt(json, path)}** (\`${path}\`)`).join('; ');
+/** The answers of an entry in a file of results, beside those of another file. */
+const answers = (entry, json, other = json) =>
+  entry.answers.map(([label, path]) => `${label} **${numberAt(json, path, valueAt(other, path))}** (\`${path}\`)`).join('; ');
 
 /** The answers with finite rotations where they were computed, else the largest difference of the two models, in per cent. */
 function linearity(entry, json) {
   if (json.rotations === 'finite') return 'Rotations are finite.';
   const finite = join(results, `${entry.case}-finite`, 'results.json');
-  if (existsSync(finite)) return `With finite rotations ${answers(entry, JSON.parse(readFileSync(finite, 'utf8')))}.`;
+  if (existsSync(finite)) return `With finite rotations ${answers(entry, JSON.parse(readFileSync(finite, 'utf8')), json)}.`;
   const part = json.linearity.difference;
   if (part === null) return 'With finite rotations there is no stable solution nearby.';
   const share = part < 1e-4 ? 'less than 0.01' : part < 10 ? Number((100 * part).toPrecision(2)) : 'more than 1000';
