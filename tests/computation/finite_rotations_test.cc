@@ -192,6 +192,29 @@ TEST(FiniteRotations, OfAStripThatItsEndDirectorRollsUp) {
   EXPECT_NEAR(r.summary.max_rotation, theta, 1e-9);
 }
 
+// Steps prescribe rotations beyond half a turn: a rigid body turns the end once around, and the strip closes to a circle.
+TEST(FiniteRotations, OfAStripThatARigidBodyRollsUpToACircle) {
+  constexpr double e = 0.1, theta = 2 * std::numbers::pi;
+  problem::Problem p = rolled_strip(e, 0);
+  p.shell.supports.pop_back();
+  const std::optional<double> open;
+  p.rigid_bodies.push_back(
+      {.name = "end", .boundaries = {"right"}, .reference = {1, 0, 0}, .fixed = {open, 0.0, open, 0.0, -theta, 0.0}});
+  p.steps = {{.name = "roll", .parts = 6}};
+  EXPECT_FALSE(examination::has_errors(examination::examine(p)));
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  const double lambda2 = 1 - std::pow(e * theta, 2) / 6;
+  const double energy =
+      0.1 / 2 * (e * std::pow(std::pow(e * theta, 2) / 12, 2) + std::pow(e, 3) / 12 * theta * theta * lambda2);
+  EXPECT_NEAR(r.summary.energy.total() / energy, 1, 1e-8);
+  ASSERT_EQ(r.summary.body_reactions.size(), 1U);
+  EXPECT_NEAR(r.summary.body_reactions[0].rotation[1], -theta, 1e-9);
+  EXPECT_NEAR((r.summary.body_reactions[0].displacement - Eigen::Vector3d(-1, 0, 0)).norm(), 0, 1e-7);
+  EXPECT_EQ(r.history[2].support_factor, 0.5);
+  EXPECT_NEAR(r.history[2].summary.body_reactions[0].rotation[1], -theta / 2, 1e-9);
+}
+
 // Turned by more than a right angle, the lower face looks up, and touches a plate above. Its reaction, and the moments of
 // supports about their deformed places, add up.
 TEST(FiniteRotations, TouchWithTheFaceThatLooksAtTheObstacleThen) {

@@ -42,6 +42,36 @@ TEST(Instants, GoInEqualPartsFromWhatWasToWhatTheStepSays) {
   }
 }
 
+// Values of supports and rigid bodies change like loads; the linear shell follows in proportion.
+TEST(PrescribedComponents, ChangeInTheParts) {
+  for (const bool by_body : {false, true}) {
+    problem::Problem p = free_plate();
+    p.shell.supports = {clamped("left")};
+    if (by_body)
+      p.rigid_bodies.push_back(
+          {.name = "end", .boundaries = {"right"}, .reference = {1, 0, 0}, .fixed = {0.0, 0.0, 0.1, 0.0, 0.2, 0.0}});
+    else
+      p.shell.supports.push_back(
+          {.boundary = "right",
+           .components = {fixed(assembly::Unknown::displacement, assembly::Direction::z, Expression(0.1))}});
+    p.discretisation = {.degree = 2, .refinements = 1};
+    p.steps = {{.name = "lift", .parts = 2}, {.name = "down", .support_factor = -0.25}};
+    const Result r = solve(p, MPI_COMM_WORLD);
+    ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+    const std::vector<double> factors{0.5, 1, -0.25};
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      EXPECT_EQ(r.history[i].support_factor, factors[i]);
+      EXPECT_NEAR(r.history[i].summary.max_displacement / r.history[1].summary.max_displacement, std::abs(factors[i]),
+                  1e-9);
+      EXPECT_NEAR(r.history[i].summary.energy.total() / r.history[1].summary.energy.total(), factors[i] * factors[i],
+                  1e-9);
+      if (by_body) {
+        EXPECT_NEAR(r.history[i].summary.body_reactions[0].rotation[1], 0.2 * factors[i], 1e-12);
+      }
+    }
+  }
+}
+
 TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
   problem::Problem many = plate(), one = plate();
   many.steps = {{.name = "weight", .load_factor = 1, .parts = 2}, {.name = "press", .load_factor = 1, .parts = 3}};

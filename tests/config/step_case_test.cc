@@ -28,7 +28,8 @@ TEST(ACaseWithoutSteps, HasNone) {
 
 TEST(Steps, KeepLoadsAndForcesUntilTheyAreGivenAnew) {
   const auto problem = problem_with(
-      "[[step]]\nloads = 0.5\n[[step.move]]\nobstacle = \"tool\"\nforce = 0\n[[step]]\nname = \"press\"\nparts = 4\n"
+      "[[step]]\nloads = 0.5\nsupports = -1\n[[step.move]]\nobstacle = \"tool\"\nforce = 0\n[[step]]\nname = "
+      "\"press\"\nparts = 4\n"
       "[[step.move]]\nobstacle = \"tool\"\nforce = 3\n[[step]]\nloads = 2\n");
   ASSERT_EQ(problem.steps.size(), 3U);
   EXPECT_EQ(problem.steps[0].name, "step-1");
@@ -37,6 +38,8 @@ TEST(Steps, KeepLoadsAndForcesUntilTheyAreGivenAnew) {
   EXPECT_EQ(problem.steps[0].load_factor, 0.5);
   EXPECT_EQ(problem.steps[1].load_factor, 0.5);
   EXPECT_EQ(problem.steps[2].load_factor, 2);
+  EXPECT_EQ(problem.steps[0].support_factor, -1);
+  EXPECT_EQ(problem.steps[2].support_factor, -1);
   EXPECT_EQ(problem.steps[0].force_factors, std::vector<double>({1, 1, 0}));
   EXPECT_EQ(problem.steps[1].force_factors, std::vector<double>({1, 1, 3}));
   EXPECT_EQ(problem.steps[2].force_factors, std::vector<double>({1, 1, 3}));

@@ -4,6 +4,7 @@
 #include <plastron/assembly/deformed.hpp>
 #include <plastron/assembly/follower_pressure.hpp>
 #include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
@@ -41,7 +42,8 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
 namespace {
 
 /// Adds what depends on the state with finite rotations: places of nodes and bodies, coordinates of increments, loads on bodies.
-void linearise_deformed(DiscreteShell& discrete, std::vector<NodeSupport> supports) {
+void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Space> space,
+                        std::vector<NodeSupport> supports) {
   State increments = discrete.state;
   increments.displacement = {};
   algebra::Vector& y = discrete.state.displacement;
@@ -49,7 +51,7 @@ void linearise_deformed(DiscreteShell& discrete, std::vector<NodeSupport> suppor
                                    : algebra::Vector(discrete.space().layout, 6);
   discrete.moved = moved_points(discrete.points, y);
   discrete.places = body_places(discrete.space(), discrete.points, y);
-  auto space = turned_space(discrete.shell.space_pointer(), discrete.points, discrete.moved, discrete.places);
+  space = turned_space(space, discrete.points, discrete.moved, discrete.places);
   turn_body_loads(discrete.space(), *space, discrete.state.load_factor, discrete.load);
   if (!discrete.follower_pressure.empty())
     algebra::axpy(discrete.state.load_factor, change_of_follower_forces(discrete.shell, discrete.follower_pressure, y),
@@ -67,12 +69,17 @@ void linearise(DiscreteShell& discrete, State state) {
   discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
   discrete.load = discrete.full_load;
   for (double& value : discrete.load.local()) value *= discrete.state.load_factor;
-  auto supports = node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports);
+  const double part = discrete.state.support_factor;
+  auto space = fem::with_part_of_motions(discrete.shell.space_pointer(), part);
+  auto supports = node_supports(*space, discrete.shell.surface(), discrete.points, discrete.supports);
+  for (NodeSupport& support : supports)
+    for (auto* rows : {&support.displacement, &support.rotation})
+      for (auto& [direction, value] : *rows) value *= part;
   if (discrete.has_finite_rotations())
-    linearise_deformed(discrete, std::move(supports));
+    linearise_deformed(discrete, std::move(space), std::move(supports));
   else
-    discrete.coordinates = nodal_coordinates(discrete.shell.space_pointer(), discrete.points, supports,
-                                             discrete.obstacles, discrete.tangency.formulation, discrete.state);
+    discrete.coordinates = nodal_coordinates(std::move(space), discrete.points, supports, discrete.obstacles,
+                                             discrete.tangency.formulation, discrete.state);
 }
 
 std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,

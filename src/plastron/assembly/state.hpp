@@ -21,6 +21,7 @@ struct State {
   algebra::Vector displacement{};
   double time = 0;                      ///< time of moving obstacles, see obstacle::Obstacle::standing()
   double load_factor = 1;               ///< factor of the given loads
+  double support_factor = 1;            ///< factor of the prescribed components of supports and rigid bodies
   std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
   std::vector<double> positions{};      ///< positions of pressed obstacles along their forces; empty: 0 [m]
   /// Lower limits of the gaps at local nodes in place of 0, by obstacle, with current ghosts [m]. They keep the shell

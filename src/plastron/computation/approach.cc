@@ -111,8 +111,7 @@ bool approach(Run& run, const problem::Instant& from, const problem::Instant& to
 
 bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to) {
   if (run.problem.steps.empty()) return true;
-  const problem::Instant start{.load_factor = 0,
-                               .force_factors = std::vector<double>(run.problem.shell.obstacles.all.size(), 0)};
+  const problem::Instant start = problem::start(run.problem);
   const double first = next_part(*discrete, algebra::Vector(discrete->space().layout, 6), start, to, 0);
   if (first == 1) return true;
   const problem::Instant instant = problem::between(start, to, first);
@@ -123,7 +122,10 @@ bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& dis
 
 bool approach_last(Run& run) {
   const std::vector<problem::Instant>& instants = run.instants;
-  if (!may_pass(*run.solution().discrete, run.solution().nodal.y, instants.front().time, instants.back().time))
+  // With finite rotations the way decides which of several solutions is found.
+  const bool depends_on_way = run.problem.shell.rotations == element::Rotations::finite;
+  if (!depends_on_way &&
+      !may_pass(*run.solution().discrete, run.solution().nodal.y, instants.front().time, instants.back().time))
     return true;
   for (std::size_t i = 1; i < instants.size(); ++i) {
     if (!approach(run, instants[i - 1], instants[i])) return false;

@@ -178,8 +178,9 @@ std::vector<CertificateLimit> membership_rows(const problem::Problem& problem, c
   const double length = std::max(summary.least_thickness, summary.max_displacement);
   std::vector<CertificateLimit> rows{
       {"load_error", "1",
-       std::max(std::abs(discrete.state.load_factor - at_the_end.load_factor),
-                std::abs(discrete.state.time - at_the_end.time)),
+       std::max({std::abs(discrete.state.load_factor - at_the_end.load_factor),
+                 std::abs(discrete.state.support_factor - at_the_end.support_factor),
+                 std::abs(discrete.state.time - at_the_end.time)}),
        0, false, "the solution is one of the end of the loading that the case describes"},
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
        "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges "

@@ -106,7 +106,7 @@ struct Solution {
 struct HistoryEntry {
   std::string step;  ///< name of the step
   double time = 0;   ///< number of finished steps, including the part of this one
-  double load_factor = 1;
+  double load_factor = 1, support_factor = 1;
   contact::Status status = contact::Status::solved;
   std::string missed_limits{};
   Level level;  ///< how it was computed

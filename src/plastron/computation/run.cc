@@ -67,7 +67,10 @@ LevelTask Run::task_after_first_level(int number) const {
 }
 
 assembly::State Run::state_at(const problem::Instant& instant) const {
-  return {.time = instant.time, .load_factor = instant.load_factor, .force_factors = instant.force_factors};
+  return {.time = instant.time,
+          .load_factor = instant.load_factor,
+          .support_factor = instant.support_factor,
+          .force_factors = instant.force_factors};
 }
 
 assembly::State Run::continued_at(const problem::Instant& instant) const {
@@ -167,6 +170,7 @@ void Run::record(const problem::Instant& instant) {
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
                             .time = instant.time,
                             .load_factor = instant.load_factor,
+                            .support_factor = instant.support_factor,
                             .status = result.status,
                             .missed_limits = result.missed_limits,
                             .level = latest_,

@@ -73,6 +73,7 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
     result.history.push_back({.step = problem.steps.back().name,
                               .time = end.time,
                               .load_factor = end.load_factor,
+                              .support_factor = end.support_factor,
                               .status = result.status,
                               .level = result.levels.back(),
                               .summary = result.summary,

@@ -1,5 +1,6 @@
 // Reads [shell], [[region]] and [gravity]: the cross-sections of the shell, and its weight.
 #include <plastron/config/sections.hpp>
+#include <plastron/problem/instants.hpp>
 #include <plastron/shell/material.hpp>
 
 #include <algorithm>
@@ -163,6 +164,16 @@ std::optional<Place> density_place(const Table& root) {
   return {};
 }
 
+/// Returns the largest change of the factor of prescribed motions from one instant to the next.
+double largest_part_of_motions(const problem::Problem& problem) {
+  double before = 0, part = 0;
+  for (const problem::Instant& instant : problem::instants(problem)) {
+    part = std::max(part, std::abs(instant.support_factor - before));
+    before = instant.support_factor;
+  }
+  return part;
+}
+
 }  // namespace
 
 std::vector<Section> shell_sections() { return {shell_section(), region_section(), gravity_section()}; }
@@ -188,11 +199,12 @@ void check_rotations(Table& root, const problem::Problem& problem) {
       shell.report("rotations",
                    fmt::format("the {} formulation has no finite rotations", element::to_string(formulation)), "",
                    "write formulation = \"tangent\", or rotations = \"small\"");
+    const double part = largest_part_of_motions(problem);
     for (const fem::RigidBody& body : problem.rigid_bodies)
-      if (std::any_of(body.fixed.begin() + 3, body.fixed.end(),
-                      [](const auto& angle) { return std::abs(angle.value_or(0)) >= std::numbers::pi; }))
-        shell.report("rotations", fmt::format("the rigid body \"{}\" is to turn by half a turn or more", body.name),
-                     "a rotation below pi", "");
+      if (part * body.prescribed_rotation().norm() >= std::numbers::pi)
+        shell.report("rotations",
+                     fmt::format("the rigid body \"{}\" is to turn by half a turn or more at once", body.name),
+                     "less than pi in each part of a step", "write a [[step]] with parts = 8");
     if (problem.shell.obstacles.are_linear)
       shell.report("rotations",
                    "with finite rotations gaps are those of the deformed shell, and [contact] wants them linearised",

@@ -68,12 +68,15 @@ Section step_section() {
   return {"step",
           "[[step]]",
           "Steps are computed in their order on the finest mesh; each starts where the previous one ended. In a step "
-          "the loads, the forces on obstacles and the motions of obstacles proceed in equal parts. Before the first "
-          "step there are no loads and no forces. Without steps the case is computed once, with all loads and forces.",
+          "the loads, the values of supports, the forces on obstacles and the motions of obstacles proceed in equal "
+          "parts. Before the first step all of them are 0. Without steps the case is computed once, with all of them.",
           {key("name", Kind::name, {}, "a name that no other step has; step-1, step-2, ... if not given"),
            key("loads", Kind::number, {},
                "factor of all loads, including the weight, at the end of the step. If not given, the factor of the "
                "previous step; in the first step 1"),
+           key("supports", Kind::number, {},
+               "factor of the values of supports and rigid bodies at the end of the step. If not given, the factor of "
+               "the previous step; in the first step 1"),
            key("parts", Kind::integer, {.fallback = "1", .range = Range::between(1, 1000)},
                "number of equal parts of the step; each is solved and appears in the history"),
            key("move", Kind::tables, {.fallback = "[]"}, "motions of obstacles in this step")}};
@@ -126,6 +129,8 @@ void read_steps(Table& root, problem::Problem& problem) {
     step.name = read_step_name(table, problem);
     if (table.has("loads")) step.load_factor = table.number("loads").value_or(1);
     table.effective["loads"] = step.load_factor;
+    if (table.has("supports")) step.support_factor = table.number("supports").value_or(1);
+    table.effective["supports"] = step.support_factor;
     step.parts = table.integer("parts").value_or(1);
     if (step.parts > 0 && (parts += step.parts) > most_parts)
       table.report("parts", fmt::format("the steps have more than {} parts in all", most_parts));

@@ -44,6 +44,9 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
 std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> space, const Surface& surface,
                                                const std::vector<RigidBody>& bodies);
 
+/// Returns the space whose rigid bodies have a part of the prescribed motions.
+std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space, double part);
+
 /// Returns the space for small motions about a deformed state, in which kinks and rigid bodies have turned (collective).
 /// `normals`, `directors`: unit vectors of local nodes before and now. `places`: those of the bodies, whose prescribed
 /// components become what remains to be moved.

@@ -261,13 +261,9 @@ Matrix3d rotation_between(const std::array<Vector3d, 2>& before, const std::arra
 /// Returns the rotation from a body's present one to the prescribed one, where all of it is prescribed; else the difference of
 /// the rotation vectors, whose prescribed components vanish in the end.
 Vector3d remaining_rotation(const RigidBody& body, const Matrix3d& turn) {
-  Vector3d prescribed = Vector3d::Zero();
-  bool is_whole = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    is_whole = is_whole && body.fixed[k + 3].has_value();
-    prescribed[static_cast<Eigen::Index>(k)] = body.fixed[k + 3].value_or(0);
-  }
-  if (!is_whole) return prescribed - geometry::rotation_vector(turn);
+  const Vector3d prescribed = body.prescribed_rotation();
+  const bool is_whole = body.fixed[3] && body.fixed[4] && body.fixed[5];
+  if (!is_whole) return prescribed - geometry::rotation_vector(turn, prescribed);
   return geometry::rotation_vector(geometry::rotation_of(prescribed) * turn.transpose());
 }
 
@@ -283,6 +279,15 @@ PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space, double part) {
+  if (space->bodies.empty() || part == 1) return space;
+  auto result = std::make_shared<Space>(*space);
+  for (PlacedBody& placed : result->bodies)
+    for (auto& value : placed.body.fixed)
+      if (value) *value *= part;
+  return result;
+}
 
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Vector3d> normals,
                                     std::span<const Vector3d> directors, std::span<const BodyPlace> places) {

@@ -24,6 +24,11 @@ struct RigidBody {
   std::array<std::optional<double>, 6> fixed{};         ///< prescribed components of d [m], then theta [rad]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< force at the reference point [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< moment about the reference point [N m]
+
+  /// Returns theta, with 0 for components that are free [rad].
+  Eigen::Vector3d prescribed_rotation() const {
+    return {fixed[3].value_or(0), fixed[4].value_or(0), fixed[5].value_or(0)};
+  }
 };
 
 /// The place to which a body has moved: q = reference + displacement + turn (p - reference).

@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <cmath>
+#include <numbers>
+
 namespace plastron::geometry {
 
 /// Returns the matrix of the product v x.
@@ -16,6 +19,15 @@ inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
 inline Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& turn) {
   const Eigen::AngleAxisd rotation(turn);
   return rotation.angle() * rotation.axis();
+}
+
+/// Returns the vector of a rotation that is nearest to another one; it can be longer than pi [rad].
+inline Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& turn, const Eigen::Vector3d& near) {
+  constexpr double whole_turn = 2 * std::numbers::pi, no_turn = 1e-12;
+  const Eigen::AngleAxisd least(turn);
+  const Eigen::Vector3d axis =
+      least.angle() > no_turn || near.isZero(0) ? least.axis() : Eigen::Vector3d(near.normalized());
+  return (least.angle() + whole_turn * std::round((near.dot(axis) - least.angle()) / whole_turn)) * axis;
 }
 
 /// Returns the rotation of a vector: axis times angle [rad].

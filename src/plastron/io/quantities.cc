@@ -359,6 +359,8 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"status", "-", "how this instant ended, in one word",
        [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }, Form::text},
       {"load_factor", "1", "factor of all loads", [](const HistoryEntry& h) { return number(h.load_factor); }},
+      {"support_factor", "1", "factor of the values of supports and rigid bodies",
+       [](const HistoryEntry& h) { return number(h.support_factor); }},
       {"energy", "J", "stored energy, 1/2 a(U, U); W(U) with finite rotations",
        [](const HistoryEntry& h) { return number(h.summary.energy.total()); }},
       {"load_work", "J", "work of the loads, l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},

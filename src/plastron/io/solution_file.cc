@@ -53,6 +53,7 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .nodes = space.layout->global_size,
           .time = state.time,
           .load_factor = state.load_factor,
+          .support_factor = state.support_factor,
           .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size())};
 }
 
@@ -191,7 +192,8 @@ class SolutionFile {
                           header_.degree <= 8 && header_.obstacles <= most_obstacles && header_.has_multiplier <= 1 &&
                           header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
                           header_.cut_numbers >= 0 && header_.cut_numbers <= most_cut_numbers &&
-                          std::isfinite(header_.time) && std::isfinite(header_.load_factor);
+                          std::isfinite(header_.time) && std::isfinite(header_.load_factor) &&
+                          std::isfinite(header_.support_factor);
     if (!is_sound) refuse("the header contains impossible values");
   }
 
@@ -361,6 +363,7 @@ computation::StoredSolution read_solution(const std::filesystem::path& path,
   computation::StoredSolution solution;
   solution.state.time = reader->header().time;
   solution.state.load_factor = reader->header().load_factor;
+  solution.state.support_factor = reader->header().support_factor;
   for (const auto& [position, way] : reader->obstacles()) {
     solution.state.positions.push_back(position);
     solution.ways.push_back(way);

@@ -24,7 +24,7 @@ static_assert(std::endian::native == std::endian::little, "the file holds little
 
 struct SolutionHeader {
   std::array<char, 8> magic{'P', 'L', 'A', 'S', 'T', 'R', 'O', 'N'};
-  std::uint32_t version = 2;
+  std::uint32_t version = 3;
   std::uint32_t corners = 4;  ///< corners of a cell
   std::uint32_t degree = 1;
   std::uint32_t obstacles = 0;
@@ -34,7 +34,7 @@ struct SolutionHeader {
   std::uint16_t has_lifts = 0;  ///< bounds of gaps are lifted: the shell is outside obstacles also between its nodes
   std::int64_t cells = 0;
   std::int64_t nodes = 0;
-  double time = 0, load_factor = 1;
+  double time = 0, load_factor = 1, support_factor = 1;
   std::int64_t cut_numbers = 0;  ///< length of the list of cuts, see flat_cuts
 
   /// Number of values: u, r; (u, r) of the linearisation; lambda; eta, touching and lift of every obstacle.
@@ -42,7 +42,7 @@ struct SolutionHeader {
     return 6u * (1u + is_deformed) + has_multiplier + (2u + has_lifts) * obstacles;
   }
 };
-static_assert(sizeof(SolutionHeader) == 72);
+static_assert(sizeof(SolutionHeader) == 80);
 
 /// Data of each obstacle, after the header: distance by which its force moved it before the linearisation of its gaps,
 /// and after it [m].

@@ -11,24 +11,32 @@ double between(double from, double to, double part) { return part == 1 ? to : fr
 Instant between(const Instant& from, const Instant& to, double part) {
   Instant now{.step = to.step,
               .time = between(from.time, to.time, part),
-              .load_factor = between(from.load_factor, to.load_factor, part)};
+              .load_factor = between(from.load_factor, to.load_factor, part),
+              .support_factor = between(from.support_factor, to.support_factor, part)};
   for (std::size_t k = 0; k < to.force_factors.size(); ++k)
     now.force_factors.push_back(
         between(from.force_factors.empty() ? 1 : from.force_factors[k], to.force_factors[k], part));
   return now;
 }
 
+Instant start(const Problem& problem) {
+  return {.load_factor = 0,
+          .support_factor = 0,
+          .force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 0)};
+}
+
 std::vector<Instant> instants(const Problem& problem) {
   if (problem.steps.empty()) return {Instant{}};
   std::vector<Instant> all;
-  Instant before{.load_factor = 0, .force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 0)};
+  Instant before = start(problem);
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];
     for (int j = 1; j <= step.parts; ++j) {
       const double part = static_cast<double>(j) / step.parts;
       Instant now{.step = static_cast<int>(s),
                   .time = static_cast<double>(s) + part,
-                  .load_factor = between(before.load_factor, step.load_factor, part)};
+                  .load_factor = between(before.load_factor, step.load_factor, part),
+                  .support_factor = between(before.support_factor, step.support_factor, part)};
       for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
         const double to = step.force_factors.empty() ? 1 : step.force_factors[k];
         now.force_factors.push_back(between(before.force_factors[k], to, part));

@@ -10,15 +10,19 @@ struct Instant {
   int step = 0;                         ///< counted from 0
   double time = 0;                      ///< number of finished steps, including the part of this one
   double load_factor = 1;               ///< factor of all loads
+  double support_factor = 1;            ///< factor of all prescribed components
   std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
 };
 
 /// Returns an instant at `part` of the way from one instant to a later one.
 Instant between(const Instant& from, const Instant& to, double part);
 
-/// Returns the instants. In each step, loads and forces change in equal parts from their earlier factors to the factors
-/// of the step; before the first step they are 0. A problem without steps has one instant, at time 0, with all of its
-/// loads.
+/// Returns the instant before the first step: no loads, no forces, nothing has moved.
+Instant start(const Problem& problem);
+
+/// Returns the instants. In each step, loads, forces and prescribed components change in equal parts from their earlier
+/// factors to the factors of the step; before the first step they are 0. A problem without steps has one instant, at time
+/// 0, with all of them.
 std::vector<Instant> instants(const Problem& problem);
 
 }  // namespace plastron::problem

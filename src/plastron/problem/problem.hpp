@@ -63,11 +63,12 @@ struct Modes {
   int vibration = 0;
 };
 
-/// A step. Loads, forces on obstacles and their motions change from their values after the previous step to the values
+/// A step. Loads, prescribed components, forces on obstacles and their motions change from their values after the previous step to the values
 /// at its end.
 struct Step {
   std::string name{};
   double load_factor = 1;               ///< factor of all loads at the step's end
+  double support_factor = 1;            ///< factor of the prescribed components of supports and rigid bodies there
   int parts = 1;                        ///< number of equal parts; each is solved
   std::vector<double> force_factors{};  ///< factor of each force on an obstacle, at the step's end; empty: 1
 };

@@ -21,9 +21,13 @@ BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& moti
 
 /// Returns the motion of a body since the start.
 fem::BodyMotion motion_of(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y) {
-  if (!discrete.has_finite_rotations()) return fem::motion_of(discrete.space(), discrete.space().bodies[body], y);
+  if (!discrete.has_finite_rotations()) {
+    const fem::Space& space = *discrete.coordinates.space;
+    return fem::motion_of(space, space.bodies[body], y);
+  }
   const fem::BodyPlace& place = discrete.places[body];
-  return {place.displacement, geometry::rotation_vector(place.turn)};
+  const Vector3d prescribed = discrete.state.support_factor * discrete.space().bodies[body].body.prescribed_rotation();
+  return {place.displacement, geometry::rotation_vector(place.turn, prescribed)};
 }
 
 /// Adds the unknowns whose nodes this rank owns. Returns their reactions, moments divided by the length; zero
@@ -98,7 +102,8 @@ double distance_from_body(const assembly::DiscreteShell& discrete, std::size_t b
   }
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto& value = placed.body.fixed[static_cast<std::size_t>(c)];
-    if (value) most = std::max(most, std::abs(q[c] - (c < 3 ? *value : placed.length * *value)));
+    const double unit = discrete.state.support_factor * (c < 3 ? 1 : placed.length);
+    if (value) most = std::max(most, std::abs(q[c] - unit * *value));
   }
   return most;
 }
