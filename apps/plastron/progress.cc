@@ -271,6 +271,7 @@ void print_stability(const computation::Result& result) {
   const finite::Stability& s = *result.stability;
   print("stability         margin {:.3g} (1 without stresses, 0 where it snaps)", s.margin);
   if (s.weak_nodes > 0) print(", {:.3g} without {} nodes in weak contact", s.margin_without_weak_contact, s.weak_nodes);
+  if (s.margin_under_loads) print(", {:.3g} if the loads stay", *s.margin_under_loads);
   print("\n");
 }
 

@@ -4,6 +4,7 @@
 #include <plastron/computation/warnings.hpp>
 #include <plastron/examination/examine.hpp>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -213,6 +214,73 @@ TEST(FiniteRotations, OfAStripThatARigidBodyRollsUpToACircle) {
   EXPECT_NEAR((r.summary.body_reactions[0].displacement - Eigen::Vector3d(-1, 0, 0)).norm(), 0, 1e-7);
   EXPECT_EQ(r.history[2].support_factor, 0.5);
   EXPECT_NEAR(r.history[2].summary.body_reactions[0].rotation[1], -theta / 2, 1e-9);
+}
+
+problem::Step controlled(const std::string& probe, double to, int parts) {
+  return {.name = fmt::format("to {:g}", to), .control = problem::Control{.probe = probe, .to = to}, .parts = parts};
+}
+
+// A cap under a dead load reaches its largest load and goes on, while the deflection of its apex is controlled. Reference
+// (finite.json, N6cap): at the limit point the load factor 0.269507572237496 at 1e-3, the energy 2.87445331776456e-07.
+TEST(LoadsThatFollowADisplacement, PassTheLimitPointOfACap) {
+  problem::Problem p = disk_of({"x", "y", "sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.3), 1);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.loads.on_areas = {force(0, 0, -1e-3)};
+  p.probes = {{.name = "apex", .at = {0, 0}}};
+  p.steps = {controlled("apex", -0.02076279827, 2), controlled("apex", -0.06, 4)};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  const HistoryEntry& limit = r.history.at(1);
+  EXPECT_NEAR(limit.load_factor / 0.269507572237496, 1, 1e-5);
+  EXPECT_NEAR(limit.summary.energy.total() / 2.87445331776456e-07, 1, 1e-5);
+  EXPECT_NEAR(limit.probes[0].values.u[2], -0.02076279827, 1e-12);
+  EXPECT_NEAR(*limit.stability->margin_under_loads, 0, 1e-4);
+  EXPECT_NEAR(*limit.controlled_displacement, -0.02076279827, 1e-15);
+  // Beyond it, less load is in equilibrium: stable as long as the deflection is controlled, until the load rises again.
+  EXPECT_LT(r.history[3].load_factor, 0.9 * limit.load_factor);
+  EXPECT_GT(r.history[3].stability->margin, 0.1);
+  EXPECT_LT(*r.history[3].stability->margin_under_loads, -0.2);
+  EXPECT_GT(*r.history.back().stability->margin_under_loads, 0.2);
+  EXPECT_EQ(r.history.back().load_factor, r.solution->discrete->state.load_factor);
+}
+
+// Half of a pinned arch under a line load at its crown, which moves sideways nowhere. Load factors in units of the bending
+// stiffness, from a program for one meridian by exact angles (degree 10).
+TEST(LoadsThatFollowADisplacement, AreThoseOfAnArchThatSnaps) {
+  constexpr double e = 0.02;
+  problem::Problem p = strip_of({"sin(x)", "y", "cos(x)"}, e, 0.3, 0);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.supports.push_back(
+      {.boundary = "left",
+       .components = {fixed(Unknown::displacement, Direction::x), fixed(Unknown::rotation, Direction::x)}});
+  p.shell.supports.push_back(held("right", {Direction::x, Direction::z}));
+  p.shell.loads.on_edges = {{.boundary = "left", .force = vector(0, 0, -std::pow(e, 3) / (12 * (1 - 0.09)) / 2)}};
+  p.probes = {{.name = "crown", .at = {0, 0.05}}};
+  p.steps = {controlled("crown", -0.006, 1), controlled("crown", -0.018, 1), controlled("crown", -0.054, 6)};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  EXPECT_NEAR(r.history[0].load_factor, 19.34777, 1e-4);
+  EXPECT_NEAR(r.history[1].load_factor, 35.12692, 1e-4);
+  EXPECT_NEAR(r.history[7].load_factor, 13.34605, 1e-4);
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("under these loads alone the shell snaps")));
+}
+
+// Loads that follow a displacement into contact are those that bring it about.
+TEST(LoadsThatFollowADisplacement, AreThoseThatBringItAboutInContact) {
+  problem::Problem p = disk_of({"x", "y", "1.02-sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.5), 1);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.loads.on_areas = {force(0, 0, -1e-3)};
+  p.shell.obstacles.all = {table(0)};
+  p.probes = {{.name = "middle", .at = {0.2, 0.1}}};
+  p.steps = {controlled("middle", -0.02, 3)};
+  const Result followed = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(followed.status, contact::Status::solved) << followed.missed_limits;
+  EXPECT_GT(followed.summary.obstacles.at(0).nodes, 0);
+  p.steps = {{.name = "all", .load_factor = followed.history.back().load_factor}};
+  const Result given = solve(p, MPI_COMM_WORLD);
+  EXPECT_NEAR(followed.summary.energy.total() / given.summary.energy.total(), 1, 1e-9);
+  EXPECT_NEAR(followed.summary.reaction.force[2] / given.summary.reaction.force[2], 1, 1e-9);
+  EXPECT_NEAR(given.probes[0].values.u[2], -0.02, 1e-10);
 }
 
 // Turned by more than a right angle, the lower face looks up, and touches a plate above. Its reaction, and the moments of

@@ -156,14 +156,14 @@ std::vector<NodeSupport> remaining_supports(std::vector<NodeSupport> supports, c
   return supports;
 }
 
-void turn_body_loads(const fem::Space& space, const fem::Space& turned, double load_factor, algebra::Vector& load) {
+void turn_body_loads(const fem::Space& space, const fem::Space& turned, algebra::Vector& load) {
   algebra::Vector before(load.layout(), 6), now(load.layout(), 6);
   for (std::size_t k = 0; k < space.bodies.size(); ++k) {
     fem::add_body_load(space, space.bodies[k], before);
     fem::add_body_load(turned, turned.bodies[k], now);
   }
-  algebra::axpy(-load_factor, before, load);
-  algebra::axpy(load_factor, now, load);
+  algebra::axpy(-1, before, load);
+  algebra::axpy(1, now, load);
 }
 
 }  // namespace plastron::assembly

@@ -52,11 +52,10 @@ void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Spac
   discrete.moved = moved_points(discrete.points, y);
   discrete.places = body_places(discrete.space(), discrete.points, y);
   space = turned_space(space, discrete.points, discrete.moved, discrete.places);
-  turn_body_loads(discrete.space(), *space, discrete.state.load_factor, discrete.load);
+  turn_body_loads(discrete.space(), *space, discrete.unit_load);
   if (!discrete.follower_pressure.empty())
-    algebra::axpy(discrete.state.load_factor, change_of_follower_forces(discrete.shell, discrete.follower_pressure, y),
-                  discrete.load);
-  algebra::axpy(-discrete.state.load_factor, initial_forces(discrete.shell), discrete.load);  // part of stresses()
+    algebra::axpy(1, change_of_follower_forces(discrete.shell, discrete.follower_pressure, y), discrete.unit_load);
+  algebra::axpy(-1, initial_forces(discrete.shell), discrete.unit_load);  // part of stresses()
   discrete.coordinates =
       nodal_coordinates(std::move(space), discrete.moved, remaining_supports(std::move(supports), discrete.points, y),
                         discrete.obstacles, element::Formulation::tangent, increments);
@@ -67,8 +66,7 @@ void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Spac
 void linearise(DiscreteShell& discrete, State state) {
   discrete.state = std::move(state);
   discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
-  discrete.load = discrete.full_load;
-  for (double& value : discrete.load.local()) value *= discrete.state.load_factor;
+  discrete.unit_load = discrete.full_load;
   const double part = discrete.state.support_factor;
   auto space = fem::with_part_of_motions(discrete.shell.space_pointer(), part);
   auto supports = node_supports(*space, discrete.shell.surface(), discrete.points, discrete.supports);
@@ -80,6 +78,8 @@ void linearise(DiscreteShell& discrete, State state) {
   else
     discrete.coordinates = nodal_coordinates(std::move(space), discrete.points, supports, discrete.obstacles,
                                              discrete.tangency.formulation, discrete.state);
+  discrete.load = discrete.unit_load;
+  for (double& value : discrete.load.local()) value *= discrete.state.load_factor;
 }
 
 std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,
@@ -176,6 +176,19 @@ void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const
   else
     apply(y, f);
   algebra::axpy(-1, load, f);
+}
+
+algebra::Vector load_rate(const DiscreteShell& discrete) {
+  const ShellOperator& shell = discrete.shell;
+  algebra::Vector rate = forces_of_stresses(
+      shell,
+      [&](std::size_t c) {
+        const auto initial = shell.weighted_initial_stresses(c);
+        return initial ? *initial : CellStrain(CellStrain::Zero(shell.tables().points_per_cell(), 8));
+      },
+      [&](std::size_t c) { return discrete.geometry(c); });
+  algebra::axpy(1, discrete.unit_load, rate);
+  return rate;
 }
 
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y) {

@@ -34,7 +34,8 @@ struct DiscreteShell {
   State state{};
   RigidObstacles obstacles{};
   NodalCoordinates coordinates{};
-  algebra::Vector load{};                ///< load factor times full_load (with finite rotations: see linearise())
+  algebra::Vector unit_load{};           ///< full_load (with finite rotations: see linearise())
+  algebra::Vector load{};                ///< load factor times unit_load
   std::vector<NodalPoint> moved{};       ///< moved_points() of the state; empty with small rotations
   std::vector<fem::BodyPlace> places{};  ///< places of the rigid bodies in the state; empty with small rotations
 
@@ -111,6 +112,10 @@ algebra::Vector forces_of_stresses(const ShellOperator& shell, const StressesOf&
 /// Returns the derivative of the energy (M27) at (u, r) = y, without the share of initial strains, like forces_of_stresses()
 /// (collective).
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);
+
+/// Returns the derivative of loads less internal forces by the load factor on owned nodes, at the state of a shell with finite
+/// rotations. Forces at constrained nodes have not yet been moved to others (collective).
+algebra::Vector load_rate(const DiscreteShell& discrete);
 
 /// Returns the shell linearised at `state` (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,

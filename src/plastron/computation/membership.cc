@@ -7,6 +7,7 @@
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/constraints/map.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/finite/controlled_point.hpp>
 #include <plastron/problem/instants.hpp>
 
 #include <Eigen/QR>
@@ -178,13 +179,16 @@ std::vector<CertificateLimit> membership_rows(const problem::Problem& problem, c
   const double length = std::max(summary.least_thickness, summary.max_displacement);
   std::vector<CertificateLimit> rows{
       {"load_error", "1",
-       std::max({std::abs(discrete.state.load_factor - at_the_end.load_factor),
+       std::max({at_the_end.control ? 0 : std::abs(discrete.state.load_factor - at_the_end.load_factor),
                  std::abs(discrete.state.support_factor - at_the_end.support_factor),
                  std::abs(discrete.state.time - at_the_end.time)}),
        0, false, "the solution is one of the end of the loading that the case describes"},
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
        "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges "
        "of a rigid body as it does"}};
+  if (discrete.state.control)
+    rows.push_back({"control_error", "m", std::abs(finite::ControlledPoint(discrete).rest()), algebraic_part * length,
+                    false, "the displacement that controls the loads has its value"});
   if (discrete.has_finite_rotations())
     rows.push_back({"state_error", "m", state_error(discrete, solution.y), algebraic_part * length, false,
                     "with finite rotations the solution is the state at which gaps, places and bounds are taken"});

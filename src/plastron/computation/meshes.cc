@@ -89,7 +89,8 @@ bool Meshes::solve_next(int number) {
   if (wants_to_stop(run_.observer, run_.comm)) return false;
   Stopwatch watch;
   LevelTask task = number == 0 ? run_.task(0) : run_.task_after_first_level(number);
-  const bool is_end = number == run_.problem.discretisation.refinements && run_.instants.size() == 1;
+  const bool is_end =
+      number == run_.problem.discretisation.refinements && run_.instants.size() == 1 && !instant_->control;
   if (run_.problem.accuracy || is_end) task.goals = run_.goals();
   assembly::State start = run_.state_at(*instant_);
   if (number > 0) refine(task, start);

@@ -107,6 +107,7 @@ struct HistoryEntry {
   std::string step;  ///< name of the step
   double time = 0;   ///< number of finished steps, including the part of this one
   double load_factor = 1, support_factor = 1;
+  std::optional<double> controlled_displacement{};  ///< that the loads follow [m]
   contact::Status status = contact::Status::solved;
   std::string missed_limits{};
   Level level;  ///< how it was computed
@@ -114,6 +115,11 @@ struct HistoryEntry {
   std::vector<ProbeValue> probes{};
   std::optional<finite::Stability> stability{};  ///< with finite rotations
 };
+
+/// Returns the displacement that controls the loads of a state.
+inline std::optional<double> controlled_displacement(const assembly::State& state) {
+  return state.control ? std::optional(state.control->displacement) : std::nullopt;
+}
 
 /// A number of the linear solution beside the same number of the model with finite rotations.
 struct ModelQuantity {

@@ -67,10 +67,16 @@ LevelTask Run::task_after_first_level(int number) const {
 }
 
 assembly::State Run::state_at(const problem::Instant& instant) const {
-  return {.time = instant.time,
-          .load_factor = instant.load_factor,
-          .support_factor = instant.support_factor,
-          .force_factors = instant.force_factors};
+  assembly::State state{.time = instant.time,
+                        .load_factor = instant.load_factor,
+                        .support_factor = instant.support_factor,
+                        .force_factors = instant.force_factors};
+  if (!instant.control) return state;
+  const auto probe = std::ranges::find(before_step_, instant.control->probe, &ProbeValue::name);
+  const double start = probe == before_step_.end() ? 0 : instant.control->direction.dot(probe->values.u);
+  state.control = problem::load_control(problem, instant, start);
+  state.load_factor = result.solution && result.solution->discrete ? result.solution->discrete->state.load_factor : 0;
+  return state;
 }
 
 assembly::State Run::continued_at(const problem::Instant& instant) const {
@@ -167,10 +173,12 @@ void Run::record(const problem::Instant& instant) {
   latest_.has_jumped = std::exchange(has_jumped_, false);
   if (wants_model_check(instant)) check_model(instant.time);
   recover();
+  const assembly::State& state = solution().discrete->state;
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
                             .time = instant.time,
-                            .load_factor = instant.load_factor,
-                            .support_factor = instant.support_factor,
+                            .load_factor = state.load_factor,
+                            .support_factor = state.support_factor,
+                            .controlled_displacement = controlled_displacement(state),
                             .status = result.status,
                             .missed_limits = result.missed_limits,
                             .level = latest_,
@@ -179,6 +187,7 @@ void Run::record(const problem::Instant& instant) {
                             .stability = result.stability});
   if (observer.instant) observer.instant(result.history.back(), solution());
   at = &instant;
+  if (instant.part == 1) before_step_ = result.probes;
 }
 
 void Run::warn(std::vector<std::string> warnings) {

@@ -97,8 +97,9 @@ class Run {
 
   const Observer& asked_;
   Level latest_{};
-  bool has_jumped_ = false;          ///< since the last entry of the history, or since the start
-  double checked_displacement_ = 0;  ///< largest |u| / e of the last solution that was compared
+  bool has_jumped_ = false;                ///< since the last entry of the history, or since the start
+  std::vector<ProbeValue> before_step_{};  ///< at the end of the last completed step
+  double checked_displacement_ = 0;        ///< largest |u| / e of the last solution that was compared
 };
 
 }  // namespace plastron::computation

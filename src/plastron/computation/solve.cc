@@ -48,7 +48,7 @@ bool advance(Run& run, Meshes& meshes, const problem::Instant& instant, assembly
   if (run.is_interrupted()) return false;
   Stopwatch watch;
   LevelTask task = run.task_after_first_level(run.problem.discretisation.refinements);
-  if (&instant == &run.instants.back()) task.goals = run.goals();
+  if (&instant == &run.instants.back() && !instant.control) task.goals = run.goals();
   auto discrete = run.relinearised(std::move(start), expected_contact(run, instant), task);
   task.seconds.discretisation = watch.lap();
   LevelResult level = solve_level(task, std::move(discrete), run.observer);

@@ -45,7 +45,9 @@ FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const Mes
 }
 
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
-  solution.state.force_factors = problem::instants(problem).back().force_factors;
+  const problem::Instant last = problem::instants(problem).back();
+  solution.state.force_factors = last.force_factors;
+  solution.state.control = problem::load_control(problem, last, 0);
   Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem.shell, std::move(solution.state)),
                  .nodal = std::move(solution.nodal)};
   std::vector<double> ways;
@@ -69,11 +71,12 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
   result.solution = std::move(found);
   find_stress_peak(result);
   if (!problem.steps.empty()) {
-    const problem::Instant end = problem::instants(problem).back();
+    const assembly::State& state = result.solution->discrete->state;
     result.history.push_back({.step = problem.steps.back().name,
-                              .time = end.time,
-                              .load_factor = end.load_factor,
-                              .support_factor = end.support_factor,
+                              .time = last.time,
+                              .load_factor = state.load_factor,
+                              .support_factor = state.support_factor,
+                              .controlled_displacement = controlled_displacement(state),
                               .status = result.status,
                               .level = result.levels.back(),
                               .summary = result.summary,

@@ -207,6 +207,10 @@ std::vector<std::string> jump_warnings(const Result& result) {
 std::vector<std::string> stability_warnings(const Result& result) {
   if (!result.stability || result.status == contact::Status::unstable) return {};
   const finite::Stability& s = *result.stability;
+  if (s.margin_under_loads && !(*s.margin_under_loads > 0))
+    return {
+        "the equilibrium holds only as long as the displacement is controlled: under these loads alone the shell snaps "
+        "away (margin_under_loads)"};
   if (s.margin < near_critical)
     return {fmt::format(
         "the equilibrium is nearly critical: a motion has {:.2g} of the stiffness that the shell has without "

@@ -68,7 +68,10 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_model(root, result.problem);
   read_modes(root, result.problem);
   read_solver(root, result.problem);
+  const nlohmann::json effective = root.effective;  // the checks read tables once more
   check_rotations(root, result.problem);
+  check_control(root, result.problem);
+  root.effective = effective;
   read_units(root, result.problem);
   result.wants_report = read_output(root, result.problem);
   if (reading.more_mistakes)

@@ -76,6 +76,8 @@ std::optional<obstacle::Shape> read_shape(Table& obstacle);
 std::vector<Section> step_sections();
 /// Reads the steps. Call it after the obstacles.
 void read_steps(Table& root, problem::Problem& problem);
+/// Checks that steps with control agree with the other choices of the case. Call it after the probes.
+void check_control(Table& root, const problem::Problem& problem);
 /// Returns the declaration of a rotation about a line, for the table at `path`.
 Section rotate_section(const std::string& path);
 /// Reads `rotate`, then `translate`.

@@ -52,6 +52,37 @@ void read_force(Table& table, const problem::Problem& problem, std::size_t k, pr
   if (factor) step.force_factors[k] = *factor;
 }
 
+void read_control(Table& table, const problem::Problem& problem, problem::Step& step) {
+  const bool had_control = step.control.has_value();
+  step.control.reset();
+  if (table.has("control")) {
+    problem::Control control;
+    table.in_table("control", [&](Table& given) {
+      if (given.fill(control)) step.control = std::move(control);
+    });
+    if (table.has("loads"))
+      table.report("loads", "the step gives loads, and control seeks them", "one of the two", "remove one of them");
+    if (table.has("move"))
+      table.report("move", "obstacles do not move in a step with control", "", "move them in a step before");
+    if (std::ranges::any_of(problem.shell.obstacles.all, &obstacle::Obstacle::is_pressed))
+      table.report("control", "control has no meaning beside obstacles that a force presses", "",
+                   "move them by `translate`");
+  } else if (had_control) {
+    table.report_here("the step has no control, and the step before has one", "",
+                      "give it control, too: the loads at its start are not known before");
+  }
+}
+
+/// Whether the case has loads; layers may have initial strains, which are loads.
+bool has_loads(const problem::Problem& problem) {
+  const assembly::Loads& loads = problem.shell.loads;
+  return !loads.on_areas.empty() || !loads.on_edges.empty() || !loads.gravity.isZero(0) ||
+         problem.shell.sections.most_layers() > 0 ||
+         std::ranges::any_of(problem.rigid_bodies, [](const fem::RigidBody& body) {
+           return !body.force.isZero(0) || !body.moment.isZero(0);
+         });
+}
+
 void read_moves(Table& table, const std::vector<std::string>& known, problem::Problem& problem, problem::Step& step) {
   for (obstacle::Obstacle& o : problem.shell.obstacles.all) o.motions.emplace_back();
   std::vector<std::string> seen;
@@ -79,7 +110,23 @@ Section step_section() {
                "the previous step; in the first step 1"),
            key("parts", Kind::integer, {.fallback = "1", .range = Range::between(1, 1000)},
                "number of equal parts of the step; each is solved and appears in the history"),
+           key("control", Kind::table, {}, "the displacement that the loads follow, in the place of `loads`"),
            key("move", Kind::tables, {.fallback = "[]"}, "motions of obstacles in this step")}};
+}
+
+Section control_section() {
+  using problem::Control;
+  return {
+      "step.control",
+      "control",
+      "The loads follow a displacement: their factor is sought with which u . direction of a probe proceeds in equal "
+      "parts. Such a step passes limit points of the loads. It needs finite rotations, and moves no obstacles. "
+      "Steps after it have control, too.",
+      {key("probe", &Control::probe, {.required = true, .example = "\"crown\""}, "name of a [[probe]]"),
+       key("direction", &Control::direction, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
+           "direction of the displacement; any length except 0"),
+       key("to", &Control::to, {.unit = "m", .required = true, .example = "-0.1"},
+           "u . direction at the end of the step")}};
 }
 
 Section move_section() {
@@ -98,7 +145,9 @@ Section move_section() {
 
 }  // namespace
 
-std::vector<Section> step_sections() { return {step_section(), move_section(), rotate_section("step.move.rotate")}; }
+std::vector<Section> step_sections() {
+  return {step_section(), control_section(), move_section(), rotate_section("step.move.rotate")};
+}
 
 Section rotate_section(const std::string& path) {
   using obstacle::Motion;
@@ -122,6 +171,27 @@ std::optional<obstacle::Motion> read_motion(Table& table) {
   return is_right ? std::optional(motion) : std::nullopt;
 }
 
+void check_control(Table& root, const problem::Problem& problem) {
+  std::vector<std::string> names;
+  for (const problem::Probe& probe : problem.probes) names.push_back(probe.name);
+  root.in_tables("step", [&](Table& table) {
+    if (!table.has("control")) return;
+    if (problem.shell.rotations == element::Rotations::small)
+      table.report("control", "control needs finite rotations: the linear model has no limit points", "",
+                   "write rotations = \"finite\" in [shell]");
+    if (!has_loads(problem))
+      table.report("control", "control seeks the factor of the loads, and there are none", "", "add a [[load]]");
+    if (problem.accuracy)
+      table.report("control", "[accuracy] does not work with control", "", "write refinements in [mesh] in its place");
+    table.in_table("control", [&](Table& control) {
+      const auto probe = control.text("probe");
+      if (probe && std::ranges::count(names, *probe) == 0)
+        control.report("probe", fmt::format("there is no probe \"{}\"", *probe), joined(names),
+                       did_you_mean(*probe, names));
+    });
+  });
+}
+
 void read_steps(Table& root, problem::Problem& problem) {
   problem::Step step{.force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 1)};
   int parts = 0;
@@ -131,6 +201,7 @@ void read_steps(Table& root, problem::Problem& problem) {
     table.effective["loads"] = step.load_factor;
     if (table.has("supports")) step.support_factor = table.number("supports").value_or(1);
     table.effective["supports"] = step.support_factor;
+    read_control(table, problem, step);
     step.parts = table.integer("parts").value_or(1);
     if (step.parts > 0 && (parts += step.parts) > most_parts)
       table.report("parts", fmt::format("the steps have more than {} parts in all", most_parts));

@@ -1,10 +1,9 @@
 // Displacements, resultants and stresses at a point of Omega as functionals.
 #include <plastron/estimation/derivatives.hpp>
 
+#include <plastron/fem/cell_point.hpp>
 #include <plastron/recovery/stress_peak.hpp>
 
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 namespace plastron::estimation {
@@ -12,26 +11,6 @@ namespace plastron::estimation {
 namespace {
 
 using recovery::Resultants;
-
-struct Place {
-  std::size_t cell;
-  Eigen::Vector2d xi;
-};
-
-/// Returns the place on the lowest rank that has a cell with the point, nothing on the others (collective).
-std::optional<Place> place_of(const Eigen::Vector2d& at, const fem::Space& space) {
-  const auto location = fem::locate(*space.coarse, at);
-  // Names of goals were checked before.
-  if (!location) throw std::logic_error("a goal lies outside of the domain");
-  std::optional<Place> place;
-  for (std::size_t c = 0; c < space.owned_cells && !place; ++c)
-    if (const auto xi = fem::local_coordinates(space.shape(), space.cells[c], *location)) place = Place{c, *xi};
-  int rank = 0;
-  MPI_Comm_rank(space.layout->comm, &rank);
-  const double first = algebra::min_over_ranks(place ? rank : std::numeric_limits<double>::max(), space.layout->comm);
-  if (first != rank) place.reset();
-  return place;
-}
 
 /// J(v) = f . v with f on all nodes; `value` counts on the rank that has the point.
 Derivative linear(algebra::Vector f, double value, const Solved& solved) {
@@ -73,8 +52,8 @@ Weighed weighed(const PointStress& point, const recovery::PointValues& values) {
 }
 
 /// Forces on the nodes of a cell with f . y = weights . resultants of this cell alone, continued to a point.
-element::CellField forces_of_cell(const Place& place, const recovery::PointValues& at, const Resultants& weights,
-                                  const assembly::DiscreteShell& discrete) {
+element::CellField forces_of_cell(const fem::CellPoint& place, const recovery::PointValues& at,
+                                  const Resultants& weights, const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
   const recovery::ResultantPoints take(discrete, assembly::FieldKind::motion);
   const Eigen::MatrixXd continuation = element::resultant_continuation(space.shape(), space.degree, {place.xi});
@@ -96,7 +75,7 @@ element::CellField forces_of_cell(const Place& place, const recovery::PointValue
 
 /// Derivative of a number computed from the resultants at a place that one rank has. Values and derivatives are
 /// consistent with Recovery.
-Derivative at_place(const PointStress& point, const std::optional<Place>& place, const Solved& solved) {
+Derivative at_place(const PointStress& point, const std::optional<fem::CellPoint>& place, const Solved& solved) {
   const assembly::DiscreteShell& discrete = solved.discrete;
   recovery::Choice choice{.axis = point.axis};
   if (point.is_smooth) choice.patches = solved.recovered();
@@ -126,7 +105,7 @@ Derivative at_place(const PointStress& point, const std::optional<Place>& place,
 Derivative derivative_of(const PointDisplacement& point, const Solved& solved) {
   const assembly::ShellOperator& shell = solved.discrete.shell;
   const fem::Space& space = shell.space();
-  const auto place = place_of(point.at, space);
+  const auto place = fem::cell_point(space, point.at);
   algebra::Vector f(space.layout, 6);
   double value = 0;
   if (place) {
@@ -141,7 +120,7 @@ Derivative derivative_of(const PointDisplacement& point, const Solved& solved) {
 }
 
 Derivative derivative_of(const PointStress& point, const Solved& solved) {
-  return at_place(point, place_of(point.at, solved.discrete.space()), solved);
+  return at_place(point, fem::cell_point(solved.discrete.space(), point.at), solved);
 }
 
 // At the largest stress a change of its place is an effect of second order.
@@ -151,8 +130,8 @@ Derivative derivative_of(const LargestStress& stress, const Solved& solved) {
   const auto peak = recovery::stress_peak(solved.discrete, solved.nodal, choice, solved.singular);
   int rank = 0;
   MPI_Comm_rank(solved.discrete.space().layout->comm, &rank);
-  std::optional<Place> place;
-  if (rank == peak.rank && peak.von_mises > 0) place = Place{peak.cell, peak.xi};
+  std::optional<fem::CellPoint> place;
+  if (rank == peak.rank && peak.von_mises > 0) place = fem::CellPoint{peak.cell, peak.xi};
   return at_place({.at = peak.x, .kind = StressKind::von_mises, .is_smooth = stress.is_smooth}, place, solved);
 }
 

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
+#include <plastron/finite/controlled_point.hpp>
 #include <plastron/finite/scalar_blocks.hpp>
 #include <plastron/finite/tangent.hpp>
 
@@ -170,6 +171,13 @@ class SoftestMotion {
         material_(material_matrix(discrete, coordinates)),
         tangent_(hessian(discrete, solution, coordinates)) {}
 
+  /// Holds a controlled displacement.
+  void hold(const ControlledPoint& control) {
+    const double rho = control.stiffness(material_);
+    control.add(rho, material_);
+    control.add(rho, tangent_);
+  }
+
   /// Returns theta to three digits with its motion; no result if K_M is not definite (collective).
   std::optional<algebra::Eigenpairs> operator()(std::span<const char> fixed) const {
     constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-3, .max_restarts = 30};
@@ -199,9 +207,13 @@ double margin_of(const std::optional<algebra::Eigenpairs>& pairs) {
 
 ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   SmallMotions motions = small_motions(discrete, solution);
-  const SoftestMotion softest(discrete, solution, motions.coordinates);
+  SoftestMotion softest(discrete, solution, motions.coordinates);
   ExaminedStability result;
   Stability& stability = result.stability;
+  if (discrete.state.control) {
+    stability.margin_under_loads = margin_of(softest(motions.fixed));
+    softest.hold(ControlledPoint(discrete));
+  }
   const auto held = softest(motions.fixed);
   stability.margin = stability.margin_without_weak_contact = margin_of(held);
   if (stability.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);

@@ -5,6 +5,7 @@
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace plastron::finite {
@@ -33,6 +34,9 @@ struct Stability {
   /// shell in place, a small disturbance can make it snap. Equal to the margin without such nodes.
   double margin_without_weak_contact = std::numeric_limits<double>::quiet_NaN();
   std::int64_t weak_nodes = 0;  ///< number of these nodes
+  /// Under control, the margin where the loads stay as they are and the controlled point may move; negative beyond limit points
+  /// of the loads.
+  std::optional<double> margin_under_loads{};
 
   static constexpr double weak_part = 1e-2;
 };

@@ -2,8 +2,11 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/contact/solve.hpp>
+#include <plastron/finite/controlled_point.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace plastron::finite {
 
@@ -66,6 +69,35 @@ contact::BoxProblem increments(const assembly::DiscreteShell& discrete, const al
           .pressing = pressing_forces(coordinates, discrete.obstacles, discrete.state)};
 }
 
+/// Changes the load factor so that the controlled displacement gets its value, on the face that the step has found.
+void adjust_loads(const ControlledPoint& control, const contact::BoxProblem& box, algebra::Factorisation& factor,
+                  NewtonStep& step) {
+  const contact::BoxSolution& found = step.box;
+  const auto& layout = found.z.layout();
+  std::vector<char> fixed(found.activity.size());
+  for (std::size_t i = 0; i < fixed.size(); ++i) fixed[i] = found.activity[i] != contact::Activity::free;
+  algebra::Vector rate = control.load_rate(), forces = rate, response(layout, rate.block());
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    if (fixed[i]) forces.owned()[i] = 0;
+  const double rest = control.rest() - algebra::dot(control.row(), found.z);
+  double change = std::numeric_limits<double>::quiet_NaN();
+  if (factor.factorise(fixed, box.shift)) {
+    factor.solve(forces, response);
+    response.update_ghosts();
+    change = rest / algebra::dot(control.row(), response);
+  }
+  if (!std::isfinite(change)) {
+    step.box.status = contact::Status::no_equilibrium;
+    return;
+  }
+  step.load_change = change;
+  algebra::axpy(change, response, step.box.z);
+  step.box.z.update_ghosts();
+  box.apply(response, forces);
+  algebra::axpy(-1, rate, forces);
+  algebra::axpy(change, forces, step.box.multiplier);
+}
+
 double largest_rotation(const algebra::Vector& increment) {
   double largest = 0;
   for (std::size_t i = 0; i < increment.owned().size(); i += 6)
@@ -94,9 +126,14 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
                        const contact::Settings& settings, const contact::Observer& observer) {
   const auto& layout = discrete.space().layout;
   const NodalCoordinates& coordinates = discrete.coordinates;
-  const algebra::Matrix matrix = tangent_matrix(discrete, start.prestress, coordinates);
+  algebra::Matrix matrix = tangent_matrix(discrete, start.prestress, coordinates);
+  std::optional<ControlledPoint> control;
+  if (discrete.state.control) control.emplace(discrete);
+  const double rho = control ? control->stiffness(matrix) : 0;
+  if (control) control->add(rho, matrix);
   const algebra::Vector diagonal = matrix.diagonal();
   contact::BoxProblem box = increments(discrete, matrix);
+  if (control) algebra::axpy(rho * control->rest(), control->row(), box.load);
   box.apply = [&](const algebra::Vector& z, algebra::Vector& f) {
     matrix.multiply(z, f);
     for (std::size_t i = 0; box.shift > 0 && i < f.owned().size(); ++i)
@@ -112,6 +149,10 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   }
   step.factorisations = factor.factorisations();
   step.shift = box.shift;
+  if (control && step.status() == contact::Status::solved) {
+    adjust_loads(*control, box, factor, step);
+    step.factorisations = factor.factorisations();
+  }
   if (step.status() != contact::Status::solved) return step;
   step.increment = algebra::Vector(layout, 6);
   coordinates.to_cartesian(step.box.z, step.increment);
@@ -161,6 +202,7 @@ assembly::State next_state(const assembly::DiscreteShell& discrete, const StepSt
   const auto pressed = assembly::pressed_obstacles(discrete);
   next.positions = discrete.positions();
   for (std::size_t j = 0; j < pressed.size(); ++j) next.positions[pressed[j]] += part * step.box.positions[j];
+  next.load_factor += part * step.load_change;
   next.displacement = discrete.state.displacement;
   algebra::axpy(part, step.increment, next.displacement);
   next.displacement.update_ghosts();

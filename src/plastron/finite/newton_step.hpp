@@ -22,6 +22,7 @@ struct NewtonStep {
   double shift = 0;
   double largest_rotation = 0;      ///< largest |s| of the increment [rad]
   double largest_displacement = 0;  ///< largest |v| of the increment [m]
+  double load_change = 0;           ///< change of the load factor under control
   algebra::Vector increment{};      ///< (v, s), block 6
   StepStart next{};                 ///< start of the step from the end of this one
   /// Rotations above this limit are shortened, because longer steps can diverge [rad].

@@ -101,6 +101,14 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return r.stability ? number(r.stability->margin_without_weak_contact) : Json(nullptr); }},
       {"stability/weak_nodes", "1", "number of these nodes",
        [](const Result& r) { return Json(r.stability ? r.stability->weak_nodes : 0); }, Form::integer},
+      {"stability/margin_under_loads", "1",
+       "where a displacement controls the loads, the margin if loads stay and this displacement is free: negative "
+       "beyond a "
+       "limit point of the loads; null without control",
+       [](const Result& r) {
+         return r.stability && r.stability->margin_under_loads ? number(*r.stability->margin_under_loads)
+                                                               : Json(nullptr);
+       }},
       {"stress/max_von_mises", "Pa", "largest von Mises stress at points of output, away from singular_places",
        [](const Result& r) { return number(r.peak.von_mises); }},
       {"stress/error", "Pa",
@@ -359,6 +367,10 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"status", "-", "how this instant ended, in one word",
        [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }, Form::text},
       {"load_factor", "1", "factor of all loads", [](const HistoryEntry& h) { return number(h.load_factor); }},
+      {"controlled_displacement", "m", "displacement that the loads follow; null without control",
+       [](const HistoryEntry& h) {
+         return h.controlled_displacement ? number(*h.controlled_displacement) : Json(nullptr);
+       }},
       {"support_factor", "1", "factor of the values of supports and rigid bodies",
        [](const HistoryEntry& h) { return number(h.support_factor); }},
       {"energy", "J", "stored energy, 1/2 a(U, U); W(U) with finite rotations",
@@ -381,6 +393,11 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
       {"margin_without_weak_contact", "1", "stability/margin_without_weak_contact at this instant",
        [](const HistoryEntry& h) {
          return h.stability ? number(h.stability->margin_without_weak_contact) : Json(nullptr);
+       }},
+      {"margin_under_loads", "1", "stability/margin_under_loads at this instant",
+       [](const HistoryEntry& h) {
+         return h.stability && h.stability->margin_under_loads ? number(*h.stability->margin_under_loads)
+                                                               : Json(nullptr);
        }},
       {"iterations", "1", "active-set iterations", [](const HistoryEntry& h) { return Json(h.level.iterations); },
        Form::integer},

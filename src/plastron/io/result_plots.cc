@@ -75,6 +75,24 @@ Plot contact_history(const Json& history) {
   return plot;
 }
 
+/// Whether the loads follow a displacement in the end.
+bool has_control(const Json& history) {
+  return !history.empty() && !history.back().at("controlled_displacement").is_null();
+}
+
+/// Returns the factor of the loads over the displacement that they follow.
+Plot load_history(const Json& history) {
+  Plot plot{.title = "Loads over the displacement that they follow",
+            .x = {"displacement [m]", false},
+            .y = {"factor of the loads", false}};
+  plot.series.push_back({.label = "loads", .x = {}, .y = {}});
+  for (const Json& instant : history) {
+    plot.series.back().x.push_back(value_of(instant.at("controlled_displacement")));
+    plot.series.back().y.push_back(value_of(instant.at("load_factor")));
+  }
+  return plot;
+}
+
 /// Returns the force of the supports over the largest displacement.
 Plot support_history(const Json& history) {
   Plot plot{.title = "Force of the supports on the shell",
@@ -88,31 +106,8 @@ Plot support_history(const Json& history) {
   return plot;
 }
 
-void add_history_plots(const Json& history, bool has_obstacle, std::vector<NamedPlot>& plots) {
-  if (history.empty()) return;
-  if (has_obstacle) {
-    plots.push_back({"plot-history-obstacles", history_plot(history)});
-    plots.push_back({"plot-history-contact-area", contact_history(history)});
-  }
-  plots.push_back({"plot-history-supports", support_history(history)});
-}
-
-}  // namespace
-
-Json parts_to_plot(std::istream& results) {
-  constexpr std::array kept{"levels",       "contact",     "files", "unknowns",         "energy",        "reaction",
-                            "contact_area", "active",      "time",  "max_displacement", "support_force", "obstacles",
-                            "name",         "translation", "force", "unit_names",       "length"};
-  constexpr int deepest = 8;
-  return Json::parse(results, [&](int depth, Json::parse_event_t event, const Json& value) {
-    if (depth > deepest) return false;
-    if (event != Json::parse_event_t::key) return true;
-    const auto& key = value.get_ref<const std::string&>();
-    return std::ranges::find(kept, key) != kept.end() || (key == "history" && depth == 1);
-  });
-}
-
-Plot history_plot(const Json& history) {
+/// Returns the force of each obstacle over the longest distance that an obstacle has moved; over the time if none has.
+Plot obstacle_history(const Json& history) {
   const bool over_time = std::ranges::none_of(history, [](const Json& instant) { return longest_way(instant) > 0; });
   Plot plot;
   plot.title = "Forces of the obstacles on the shell";
@@ -128,6 +123,51 @@ Plot history_plot(const Json& history) {
     }
   }
   return plot;
+}
+
+void add_history_plots(const Json& history, bool has_obstacle, std::vector<NamedPlot>& plots) {
+  if (history.empty()) return;
+  if (has_control(history)) plots.push_back({"plot-history-loads", load_history(history)});
+  if (has_obstacle) {
+    plots.push_back({"plot-history-obstacles", obstacle_history(history)});
+    plots.push_back({"plot-history-contact-area", contact_history(history)});
+  }
+  plots.push_back({"plot-history-supports", support_history(history)});
+}
+
+}  // namespace
+
+Json parts_to_plot(std::istream& results) {
+  constexpr std::array kept{"levels",
+                            "contact",
+                            "files",
+                            "unknowns",
+                            "energy",
+                            "reaction",
+                            "contact_area",
+                            "active",
+                            "time",
+                            "max_displacement",
+                            "support_force",
+                            "obstacles",
+                            "name",
+                            "translation",
+                            "force",
+                            "unit_names",
+                            "length",
+                            "load_factor",
+                            "controlled_displacement"};
+  constexpr int deepest = 8;
+  return Json::parse(results, [&](int depth, Json::parse_event_t event, const Json& value) {
+    if (depth > deepest) return false;
+    if (event != Json::parse_event_t::key) return true;
+    const auto& key = value.get_ref<const std::string&>();
+    return std::ranges::find(kept, key) != kept.end() || (key == "history" && depth == 1);
+  });
+}
+
+Plot history_plot(const Json& history) {
+  return has_control(history) ? load_history(history) : obstacle_history(history);
 }
 
 Plot renamed(Plot plot, const problem::UnitNames& units) {

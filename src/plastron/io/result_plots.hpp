@@ -32,8 +32,8 @@ problem::UnitNames unit_names(const Json& results);
 /// Returns the plot with names of units in its labels.
 Plot renamed(Plot plot, const problem::UnitNames& units);
 
-/// Plots the force of each obstacle on the shell over the longest distance that an obstacle has moved. If none has
-/// moved, it plots over the time. `history` is from results.json.
+/// Plots the force of each obstacle on the shell over the longest distance that an obstacle has moved, or over the time if
+/// none has moved. Where the loads follow a displacement, it plots their factor. `history` is from results.json.
 Plot history_plot(const Json& history);
 
 /// Returns the plots of `csv`, the table of line_csv() for the line of that name: displacement, gap, reaction, resultants

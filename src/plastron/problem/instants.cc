@@ -1,5 +1,9 @@
 #include <plastron/problem/instants.hpp>
 
+#include <plastron/algebra/assertion.hpp>
+
+#include <algorithm>
+
 namespace plastron::problem {
 
 namespace {
@@ -36,7 +40,9 @@ std::vector<Instant> instants(const Problem& problem) {
       Instant now{.step = static_cast<int>(s),
                   .time = static_cast<double>(s) + part,
                   .load_factor = between(before.load_factor, step.load_factor, part),
-                  .support_factor = between(before.support_factor, step.support_factor, part)};
+                  .support_factor = between(before.support_factor, step.support_factor, part),
+                  .control = step.control ? &*step.control : nullptr,
+                  .part = part};
       for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
         const double to = step.force_factors.empty() ? 1 : step.force_factors[k];
         now.force_factors.push_back(between(before.force_factors[k], to, part));
@@ -46,6 +52,15 @@ std::vector<Instant> instants(const Problem& problem) {
     before = all.back();
   }
   return all;
+}
+
+std::optional<assembly::LoadControl> load_control(const Problem& problem, const Instant& instant, double start) {
+  if (!instant.control) return {};
+  const auto probe = std::ranges::find(problem.probes, instant.control->probe, &Probe::name);
+  PLASTRON_ASSERT(probe != problem.probes.end());
+  return assembly::LoadControl{.at = probe->at,
+                               .direction = instant.control->direction,
+                               .displacement = between(start, instant.control->to, instant.part)};
 }
 
 }  // namespace plastron::problem

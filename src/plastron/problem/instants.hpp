@@ -1,5 +1,6 @@
 // The times at which a problem is solved: the ends of the parts of its steps.
 #pragma once
+#include <plastron/assembly/state.hpp>
 #include <plastron/problem/problem.hpp>
 
 #include <vector>
@@ -11,6 +12,8 @@ struct Instant {
   double time = 0;                      ///< number of finished steps, including the part of this one
   double load_factor = 1;               ///< factor of all loads
   double support_factor = 1;            ///< factor of all prescribed components
+  const Control* control = nullptr;     ///< if given, the load factor follows from it
+  double part = 1;                      ///< completed part of the step
   std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
 };
 
@@ -24,5 +27,8 @@ Instant start(const Problem& problem);
 /// factors to the factors of the step; before the first step they are 0. A problem without steps has one instant, at time
 /// 0, with all of them.
 std::vector<Instant> instants(const Problem& problem);
+
+/// Returns the control of an instant. `start`: values of u . direction at the start of its step [m].
+std::optional<assembly::LoadControl> load_control(const Problem& problem, const Instant& instant, double start);
 
 }  // namespace plastron::problem

@@ -63,12 +63,20 @@ struct Modes {
   int vibration = 0;
 };
 
+/// Loads that follow a displacement: their factor is sought with which u . direction of a probe changes in equal parts.
+struct Control {
+  std::string probe{};
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
+  double to = 0;                                         ///< value at the step's end [m]
+};
+
 /// A step. Loads, prescribed components, forces on obstacles and their motions change from their values after the previous step to the values
 /// at its end.
 struct Step {
   std::string name{};
   double load_factor = 1;               ///< factor of all loads at the step's end
   double support_factor = 1;            ///< factor of the prescribed components of supports and rigid bodies there
+  std::optional<Control> control{};     ///< if given, load_factor has no meaning
   int parts = 1;                        ///< number of equal parts; each is solved
   std::vector<double> force_factors{};  ///< factor of each force on an obstacle, at the step's end; empty: 1
 };
