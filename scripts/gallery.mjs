@@ -21,8 +21,10 @@ function sevenDigits(value) {
   return `${digits}e${exponent < 0 ? '-' : '+'}${String(Math.abs(exponent)).padStart(2, '0')}`;
 }
 
+const valueOrNull = (json, path) => path.split('.').reduce((part, step) => part?.[step], json);
+
 function valueAt(json, path) {
-  const value = path.split('.').reduce((part, step) => part?.[step], json);
+  const value = valueOrNull(json, path);
   if (!Number.isFinite(value)) throw new Error(`results.json of "${json.title}" has no number ${path}`);
   return value;
 }
@@ -48,8 +50,14 @@ const question = (text) => text.match(/\*\*Question\.\*\* ([\s\S]*?)\n\n/)[1].re
 const answers = (entry, json, other = json) =>
   entry.answers.map(([label, path]) => `${label} **${numberAt(json, path, valueAt(other, path))}** (\`${path}\`)`).join('; ');
 
-/** The answers with finite rotations where they were computed, else the largest difference of the two models, in per cent. */
+/** The answers of the other model where they were computed, else the largest difference of the two models, in per cent. */
 function linearity(entry, json) {
+  const linear = join(results, `${entry.case}-linear`, 'results.json');
+  if (existsSync(linear)) {
+    const other = JSON.parse(readFileSync(linear, 'utf8'));
+    const known = entry.answers.filter(([, path]) => Number.isFinite(valueOrNull(other, path)));
+    return `Rotations are finite. In the linear model ${answers({ ...entry, answers: known }, other)}.`;
+  }
   if (json.rotations === 'finite') return 'Rotations are finite.';
   const finite = join(results, `${entry.case}-finite`, 'results.json');
   if (existsSync(finite)) return `With finite rotations ${answers(entry, JSON.parse(readFileSync(finite, 'utf8')), json)}.`;

@@ -216,6 +216,46 @@ TEST(FiniteRotations, OfAStripThatARigidBodyRollsUpToACircle) {
   EXPECT_NEAR(r.history[2].summary.body_reactions[0].rotation[1], -theta / 2, 1e-9);
 }
 
+// Where strains are those between interpolated surfaces, rigid rotations by a right angle cost nothing at any degree. Else low
+// degrees feel them on a curved shell. The answers to a load agree.
+TEST(ObjectiveStrains, AreZeroForRigidRotations) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
+  for (const int degree : {1, 2, 3}) {
+    std::vector<double> energies;
+    for (const bool is_objective : {false, true}) {
+      problem::Problem p = quarter_ring(0.02, 1);
+      p.shell.rotations = element::Rotations::finite;
+      p.shell.is_objective = is_objective;
+      p.shell.loads.on_areas = {force(0, 0, -1e-8)};
+      p.discretisation.degree = degree;
+      const Result r = solve(p, MPI_COMM_WORLD);
+      const assembly::DiscreteShell& discrete = *r.solution->discrete;
+      algebra::Vector y(discrete.space().layout, 6);
+      for (std::size_t i = 0; i < discrete.points.size(); ++i) {
+        Eigen::Map<Eigen::Vector3d>{y.at(i).data()} = turn * discrete.points[i].phi - discrete.points[i].phi;
+        Eigen::Map<Eigen::Vector3d>{y.at(i).data() + 3} = turn * discrete.points[i].a3 - discrete.points[i].a3;
+      }
+      energies.push_back(discrete.energies(y).total());
+    }
+    EXPECT_LT(energies[1], 1e-24);
+    EXPECT_GT(energies[0], 1e4 * energies[1]) << degree;
+  }
+}
+
+TEST(ObjectiveStrains, GiveTheSameAnswer) {
+  std::vector<double> energies;
+  for (const bool is_objective : {false, true}) {
+    problem::Problem p = quarter_ring(0.02, 1);
+    p.shell.rotations = element::Rotations::finite;
+    p.shell.is_objective = is_objective;
+    p.shell.obstacles.all = {table(-1.01 + 0.2)};
+    const Result r = solve(p, MPI_COMM_WORLD);
+    ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+    energies.push_back(r.summary.energy.total());
+  }
+  EXPECT_NEAR(energies[1] / energies[0], 1, 1e-6);
+}
+
 problem::Step controlled(const std::string& probe, double to, int parts) {
   return {.name = fmt::format("to {:g}", to), .control = problem::Control{.probe = probe, .to = to}, .parts = parts};
 }
@@ -242,6 +282,41 @@ TEST(LoadsThatFollowADisplacement, PassTheLimitPointOfACap) {
   EXPECT_LT(*r.history[3].stability->margin_under_loads, -0.2);
   EXPECT_GT(*r.history.back().stability->margin_under_loads, 0.2);
   EXPECT_EQ(r.history.back().load_factor, r.solution->discrete->state.load_factor);
+}
+
+// Parts that are chosen are short where a cap snaps through, and long elsewhere. Its limit point is at 0.2695.
+TEST(PartsThatAreChosen, ShowWhereACapSnaps) {
+  problem::Problem p = disk_of({"x", "y", "sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.3), 1);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.loads.on_areas = {force(0, 0, -1e-3)};
+  p.steps = {{.name = "all", .load_factor = 0.4, .chooses_parts = true}};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  const auto jump = std::ranges::find_if(r.history, [](const HistoryEntry& h) { return h.level.has_jumped; });
+  ASSERT_NE(jump, r.history.end());
+  ASSERT_NE(jump, r.history.begin());
+  EXPECT_LT(std::prev(jump)->load_factor, 0.2696);
+  EXPECT_GT(jump->load_factor, 0.2695);
+  EXPECT_LT(jump->load_factor - std::prev(jump)->load_factor, 0.4 / 60);
+  EXPECT_EQ(r.history.back().load_factor, 0.4);
+  EXPECT_LT(r.history.size(), 30U);
+  EXPECT_TRUE(std::ranges::is_sorted(r.history, {}, &HistoryEntry::time));
+}
+
+// A strip that is rolled up to a circle needs no number of parts.
+TEST(PartsThatAreChosen, FollowARotation) {
+  problem::Problem p = rolled_strip(0.1, 0);
+  p.shell.supports.pop_back();
+  const std::optional<double> open;
+  p.rigid_bodies.push_back({.name = "end",
+                            .boundaries = {"right"},
+                            .reference = {1, 0, 0},
+                            .fixed = {open, 0.0, open, 0.0, -2 * std::numbers::pi, 0.0}});
+  p.steps = {{.name = "roll", .chooses_parts = true}};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  EXPECT_NEAR(r.summary.body_reactions[0].rotation[1], -2 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR((r.summary.body_reactions[0].displacement - Eigen::Vector3d(-1, 0, 0)).norm(), 0, 1e-7);
 }
 
 // Half of a pinned arch under a line load at its crown, which moves sideways nowhere. Load factors in units of the bending

@@ -21,7 +21,8 @@ TEST(Declarations, NameEveryKeyOnceAndSayWhatItMeans) {
     for (const Key& key : s.keys) {
       EXPECT_TRUE(keys.insert(key.name).second) << s.path << "." << key.name;
       EXPECT_FALSE(key.meaning.empty()) << key.name;
-      EXPECT_EQ(key.kind == Kind::word || key.kind == Kind::word_or_false, !key.words.empty() && key.name != "fix")
+      EXPECT_EQ(key.kind == Kind::word || key.kind == Kind::word_or_false || key.kind == Kind::integer_or_word,
+                !key.words.empty() && key.name != "fix")
           << key.name;
       EXPECT_FALSE(key.required && !key.fallback.empty()) << key.name << " is required and has a default";
       EXPECT_FALSE(key.required && !s.path.empty() && key.example.empty()) << key.name;

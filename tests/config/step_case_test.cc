@@ -45,6 +45,14 @@ TEST(Steps, KeepLoadsAndForcesUntilTheyAreGivenAnew) {
   EXPECT_EQ(problem.steps[2].force_factors, std::vector<double>({1, 1, 3}));
 }
 
+TEST(Parts, AreANumberOrChosen) {
+  EXPECT_EQ(problem_with("[[step]]\nparts = 3\n").steps[0].parts, 3);
+  EXPECT_FALSE(problem_with("[[step]]\nparts = 3\n").steps[0].chooses_parts);
+  EXPECT_TRUE(problem_with("[[step]]\nparts = \"auto\"\n").steps[0].chooses_parts);
+  EXPECT_THROW(problem_with("[[step]]\nparts = \"many\"\n"), CaseErrors);
+  EXPECT_THROW(problem_with("[[step]]\nparts = 0.5\n"), CaseErrors);
+}
+
 TEST(Moves, GoOnFromWhereTheStepBeforeHasLeftTheObstacle) {
   const auto problem = problem_with(
       "[[step]]\n[[step.move]]\nobstacle = \"tool\"\nrotate = { axis = [0, 2, 0], angle = \"pi/2\" }\n[[step]]\n"

@@ -74,7 +74,7 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(table, line);) lines.push_back(line);
   ASSERT_EQ(lines.size(), 4U);
-  EXPECT_EQ(lines[0].rfind("time,step,status,load_factor,support_factor,energy,", 0), 0U);
+  EXPECT_EQ(lines[0].rfind("time,step,status,load_factor,controlled_displacement,support_factor,energy,", 0), 0U);
   EXPECT_EQ(lines[3].rfind("1.0,\"press, slowly\",solved,1.0,", 0), 0U);
   EXPECT_THAT(lines[0],
               testing::AllOf(testing::HasSubstr("probes.centre.N_11,probes.centre.N_22,probes.centre.N_12"),

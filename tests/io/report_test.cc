@@ -105,6 +105,33 @@ TEST(Report, shows_the_surface_that_the_vtu_file_has) {
   EXPECT_EQ(scene["lines"].size(), result.summary.obstacles[0].zones[0].lines.size());
 }
 
+TEST(Report, holds_the_instants_of_the_steps) {
+  problem::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem.steps = {{.name = "load", .parts = 3}};
+  SceneFrames frames;
+  std::vector<double> largest;
+  const computation::Result result = computation::solve(
+      problem, MPI_COMM_WORLD,
+      {.instant = [&](const computation::HistoryEntry& entry, const computation::Solution& solution) {
+        frames.add(entry, solution);
+        largest.push_back(entry.summary.max_displacement);
+      }});
+  const Json scene = scene_json(*result.solution, result.summary, {}, frames);
+  if (world_rank() != 0) return;
+  ASSERT_EQ(scene["frames"].size(), 2U);  // the last instant is the scene itself
+  EXPECT_NEAR(scene["time"].get<double>(), 1, 1e-15);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Json& frame = scene["frames"][i];
+    EXPECT_NEAR(frame["time"].get<double>(), (static_cast<double>(i) + 1) / 3, 1e-15);
+    const auto u = decoded_numbers<float>(frame["u"][2].get<std::string>());
+    ASSERT_EQ(u.size(), scene["points"].get<std::size_t>());
+    EXPECT_NEAR(-*std::ranges::min_element(u), largest[i], 1e-8);
+    EXPECT_EQ(frame["eta"].size(), 1U);
+    EXPECT_EQ(frame["obstacles"][0]["translation"], Json({0.0, 0.0, 0.0}));
+    EXPECT_EQ(frame["obstacles"][0]["rotation"][0], Json(1.0));
+  }
+}
+
 TEST(Report, shows_no_pressure_below_zero_between_nodes) {
   const computation::Result result = solved({.degree = 4, .refinements = 1});
   const Json scene = scene_json(*result.solution, result.summary);
@@ -126,8 +153,8 @@ TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {
   for (const mesh::Shape shape : {mesh::Shape::quadrilateral, mesh::Shape::triangle}) {
     const computation::Result result = solved({.degree = 2, .refinements = 2, .shape = shape});
     const std::int64_t cells = result.levels.back().cells, corners = mesh::corner_count(shape);
-    const Json scene = scene_json(*result.solution, result.summary, {}, cells * corners / 4);
-    const Json all = scene_json(*result.solution, result.summary, {}, cells * corners);
+    const Json scene = scene_json(*result.solution, result.summary, {}, {}, cells * corners / 4);
+    const Json all = scene_json(*result.solution, result.summary, {}, {}, cells * corners);
     if (world_rank() != 0) continue;
     EXPECT_EQ(scene["merged"], Json(2));
     EXPECT_EQ(scene["points"], Json(cells * corners / 4));

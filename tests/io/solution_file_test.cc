@@ -21,7 +21,7 @@ using computation::StoredSolution;
 using problem::Problem;
 using testing::HasSubstr;
 
-constexpr std::size_t header_bytes = 72 + 16, head_bytes = 64;  // one obstacle
+constexpr std::size_t header_bytes = 80 + 16, head_bytes = 64;  // one obstacle
 
 SolutionShape shape_of(const Problem& problem) {
   return {.obstacles = static_cast<int>(problem.shell.obstacles.all.size()),
@@ -150,7 +150,7 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"incomplete", [](std::string& t) { t += '\0'; }},
       {"begins differently", [](std::string& t) { t[0] = 'p'; }},
       {"version 1", [](std::string& t) { put(t, 8, std::uint32_t{1}); }},
-      {"version 3", [](std::string& t) { put(t, 8, std::uint32_t{3}); }},
+      {"version 4", [](std::string& t) { put(t, 8, std::uint32_t{4}); }},
       {"corners per cell", [](std::string& t) { put(t, 12, std::uint32_t{3}); }},
       {"degree", [](std::string& t) { put(t, 16, std::uint32_t{4}); }},
       {"2 obstacles", [](std::string& t) { put(t, 20, std::uint32_t{2}); }},
@@ -161,9 +161,10 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"cells", [](std::string& t) { put(t, 32, std::int64_t{1} << 60); }},
       {"nodes", [](std::string& t) { put(t, 40, std::int64_t{-1}); }},
       {"impossible values", [](std::string& t) { put(t, 56, std::numeric_limits<double>::quiet_NaN()); }},
-      {"3 numbers of cuts", [](std::string& t) { put(t, 64, std::int64_t{3}); }},
-      {"impossible values", [](std::string& t) { put(t, 64, std::int64_t{-1}); }},
-      {"impossible values", [](std::string& t) { put(t, 64, std::int64_t{1} << 60); }},
+      {"impossible values", [](std::string& t) { put(t, 64, std::numeric_limits<double>::infinity()); }},
+      {"3 numbers of cuts", [](std::string& t) { put(t, 72, std::int64_t{3}); }},
+      {"impossible values", [](std::string& t) { put(t, 72, std::int64_t{-1}); }},
+      {"impossible values", [](std::string& t) { put(t, 72, std::int64_t{1} << 60); }},
       {"missing in the file",
        [&](std::string& t) { t.replace(header_bytes, record, t.substr(header_bytes + record, record)); }},
       {"missing in the file", [](std::string& t) { put(t, header_bytes, std::int32_t{1000}); }},

@@ -70,6 +70,19 @@ const tests = {
     const other = await changeBy(() => page.locator('.choice select').nth(1).selectOption('cividis'));
     assert.ok(other > 2000, `${other} pixels`);
   },
+  async 'plays the steps'() {
+    const steps = page.getByLabel('Instant of the steps');
+    const first = await changeBy(() => steps.fill('0'));
+    assert.equal(Number(await page.locator('#view').getAttribute('data-time')), results.history[0].time);
+    assert.ok(first > 500, `${first} pixels`);
+    const select = page.locator('.choice select').first();
+    assert.ok(['u:length', 'eta:0'].includes(await select.inputValue()));
+    await select.selectOption(await select.locator('option[value*="von_mises"]').first().getAttribute('value'));
+    assert.equal(Number(await page.locator('#view').getAttribute('data-time')), results.history.at(-1).time, 'other quantities are of the last instant');
+    await steps.fill('0');
+    await page.getByTitle('Shows the instants one after the other').click();
+    await page.waitForFunction((time) => Number(document.querySelector('#view').dataset.time) === time, results.history.at(-1).time);
+  },
   async 'shows and hides its layers'() {
     for (const label of ['mesh', 'undeformed', 'obstacles', 'contact boundary']) {
       const changed = await changeBy(() => page.getByLabel(label, { exact: true }).click());

@@ -1,11 +1,16 @@
 // The picture of report.html: the deformed shell, its undeformed mesh, obstacles, supports and contact boundaries.
-import { directors, linesOnSurface, moved, tubes } from './shapes.js';
+import { directors, linesOnSurface, moved, nearest, placed } from './shapes.js';
 import { layer, normalsArray, View } from './view.js';
+
+/** The vectors of some points, next to each other. */
+const valuesAt = (vectors, points) => Float32Array.from(points.flatMap((p) => [...vectors.subarray(3 * p, 3 * p + 3)]));
 
 export class DeformedView extends View {
   constructor(container, scene) {
     super(container, scene);
     this.lines = linesOnSurface(scene);
+    this.nearest = scene.supports.map((line) => Array.from({ length: line.points.length / 3 }, (_, i) => nearest(scene.position, line.points.subarray(3 * i, 3 * i + 3))));
+    this.frame = scene.frames.at(-1);
     this.addLayers();
     this.setScale(0);
     this.resize();
@@ -41,16 +46,24 @@ export class DeformedView extends View {
     this.render();
   }
 
+  /** Shows an instant of the steps. Contact boundaries are those of the last one. */
+  setFrame(frame) {
+    this.frame = frame;
+    this.scene.obstacles.forEach((o, k) => this.obstacles[k].move(frame.obstacles ? placed(o.points, frame.obstacles[k]) : o.points));
+    this.setScale(this.scale);
+  }
+
   setScale(scale) {
     this.scale = scale;
-    const { scene } = this;
-    this.points = moved(scene.position, scale, scene.u, new Float32Array(scene.position.length));
-    const normals = directors(scene, scale, new Float32Array(scene.position.length));
+    const { scene, frame } = this;
+    this.points = moved(scene.position, scale, frame.u, new Float32Array(scene.position.length));
+    const normals = directors(scene.normal, scale, frame.r, new Float32Array(scene.position.length));
     this.shell.data.getPointData().setNormals(normalsArray(normals));
     this.shell.move(this.points);
     this.edges.move(this.points);
-    this.drawLines(this.contact, this.lines);
-    this.drawLines(this.supports, scene.supports);
+    const isLast = frame === scene.frames.at(-1);
+    this.drawLines(this.contact, isLast ? this.lines : []);
+    this.drawLines(this.supports, isLast ? scene.supports : scene.supports.map((line, k) => ({ ...line, displacements: valuesAt(frame.u, this.nearest[k]) })));
     if (this.marked !== undefined) this.placeMark();
     this.render();
   }

@@ -8,20 +8,36 @@ function length(rows) {
 
 const withUnit = (label, unit) => (unit === '1' ? label : `${label} [${unit}]`);
 
-/** [{id, group, label, unit, values()}], in the order of the table of fields. */
+/**
+ * [{id, group, label, unit, values(frame)}], in the order of the table of fields. Frames before the last one have few fields; values() is undefined
+ * where they have none.
+ */
 export function quantitiesOf(scene) {
   const all = [];
   for (const field of scene.fields) {
+    const rowsIn = (frame) => (frame.rows ? frame.rows[field.key] : field.rows);
     const add = (part, label, values) =>
-      all.push({ id: `${field.key}:${part}`, group: `${field.arrays[0].split('_')[0]}: ${field.meaning}`, label: withUnit(label, field.unit), unit: field.unit, values });
+      all.push({
+        id: `${field.key}:${part}`,
+        group: `${field.arrays[0].split('_')[0]}: ${field.meaning}`,
+        label: withUnit(label, field.unit),
+        unit: field.unit,
+        values: (frame) => rowsIn(frame) && values(rowsIn(frame)),
+      });
     if (field.arrays.length === 1 && field.rows.length === 3) {
-      add('length', `|${field.arrays[0]}|`, () => length(field.rows));
-      field.rows.forEach((row, d) => add(axes[d], `${field.arrays[0]} ${axes[d]}`, () => row));
+      add('length', `|${field.arrays[0]}|`, length);
+      field.rows.forEach((_, d) => add(axes[d], `${field.arrays[0]} ${axes[d]}`, (rows) => rows[d]));
     } else {
-      field.rows.forEach((row, k) => add(String(k), field.arrays[k], () => row));
+      field.rows.forEach((_, k) => add(String(k), field.arrays[k], (rows) => rows[k]));
     }
   }
   return all;
+}
+
+/** The range of a quantity in all frames that have it. */
+export function rangeInFrames(quantity, frames) {
+  const ranges = frames.map((frame) => quantity.values(frame)).filter((values) => values?.length > 0).map(rangeOf);
+  return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
 }
 
 /** Pressure where there is contact, else the displacement. */

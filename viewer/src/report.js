@@ -4,9 +4,10 @@ import { colourMaps, coloured } from './colours.js';
 import { deformationSlider, scalesFor } from './deformation.js';
 import { DeformedView } from './deformed_view.js';
 import { Probe } from './probe.js';
-import { defaultQuantity, quantitiesOf, rangeOf } from './quantities.js';
+import { defaultQuantity, quantitiesOf, rangeInFrames, rangeOf } from './quantities.js';
 import { ScaleBar } from './scale_bar.js';
 import { Stage } from './stage.js';
+import { stepSlider } from './steps.js';
 
 const variables = { background: '--stage', line: '--line3d', obstacle: '--obstacle', contact: '--contact', support: '--support' };
 
@@ -29,28 +30,46 @@ export function startReport(place, scene) {
 
   const view = new DeformedView(stage.stage, scene);
   const quantities = quantitiesOf(scene);
-  const state = { quantity: defaultQuantity(scene), map: 'viridis' };
+  const last = scene.frames.at(-1);
+  const state = { quantity: defaultQuantity(scene), map: 'viridis', frame: last };
   const paint = () => {
     const quantity = quantities.find((q) => q.id === state.quantity);
-    const values = quantity.values();
-    bar.set(quantity.label, rangeOf(values), colourMaps[state.map]);
+    const values = quantity.values(state.frame);
+    bar.set(quantity.label, quantity.values(scene.frames[0]) ? rangeInFrames(quantity, scene.frames) : rangeOf(values), colourMaps[state.map]);
     view.setColours(coloured(values, bar.range, bar.map));
   };
-  const showValues = (x, y) => {
-    const point = view.pick(x, y);
+  const showPoint = (point) => {
     view.setMark(point);
     probe.show(point);
   };
+  const showValues = (x, y) => showPoint(state.frame === last ? view.pick(x, y) : -1);
   const slider = deformationSlider(scalesFor(scene, view.size), (scale) => {
     view.setScale(scale);
     place.dataset.scale = String(scale);
   });
 
+  const colours = choice('Colours', quantities, state.quantity, (id) => setQuantity(id));
+  // Frames before the last one hold u, r and eta. Another quantity brings back the last frame, and an earlier frame brings back a quantity that it has.
+  const setQuantity = (id) => {
+    state.quantity = id;
+    colours.querySelector('select').value = id;
+    if (!quantities.find((q) => q.id === id).values(state.frame)) steps.reset();
+    paint();
+  };
+  const steps = stepSlider(scene.frames, (frame) => {
+    state.frame = frame;
+    place.dataset.time = String(frame.time);
+    if (frame !== last) showPoint(-1);
+    if (!quantities.find((q) => q.id === state.quantity).values(frame)) setQuantity('u:length');
+    view.setFrame(frame);
+    paint();
+  });
   options.append(
-    choice('Colours', quantities, state.quantity, (id) => paint((state.quantity = id))),
+    colours,
     choice('Map', Object.keys(colourMaps).map((id) => ({ id, label: id })), state.map, (id) => paint((state.map = id))),
     slider.node,
   );
+  if (scene.frames.length > 1) options.append(steps.node);
   const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
   if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);
   if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true, '--contact']);

@@ -24,7 +24,16 @@ function interleaved(rows) {
 
 const polyline = (line) => ({ ...line, points: floats(line.points), displacements: floats(line.displacements) });
 
-/** Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports}. */
+/** An instant of the steps: {time, step, u, r, eta, obstacles: [{rotation, translation}]}. */
+function readFrame(frame, points) {
+  const rows = (name) => (frame[name] ?? []).map((values) => row(values, points));
+  return { ...frame, rows: { u: rows('u'), r: rows('r'), eta: rows('eta') }, u: interleaved(rows('u')), r: interleaved(rows('r')) };
+}
+
+/**
+ * Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports, frames}. The last frame is the
+ * solution, with all fields; there is no other without steps.
+ */
 export function readScene(json) {
   const fields = json.fields.map((field) => ({
     ...field,
@@ -32,12 +41,15 @@ export function readScene(json) {
     values: undefined,
   }));
   const field = (key) => fields.find((f) => f.key === key);
+  const u = interleaved(field('u').rows);
+  const r = interleaved(field('r').rows);
   return {
     ...json,
     fields,
+    frames: [...json.frames.map((frame) => readFrame(frame, json.points)), { time: json.time, u, r }],
     position: interleaved(field('position').rows),
-    u: interleaved(field('u').rows),
-    r: interleaved(field('r').rows),
+    u,
+    r,
     normal: interleaved(field('frame/a3').rows),
     thickness: field('thickness').rows[0],
     obstacles: json.obstacles.map((o) => ({

@@ -7,12 +7,23 @@ export function moved(a, scale, b, out) {
 }
 
 /** Directors a3 + scale r of length 1: normals of the deformed shell, but for its shear. */
-export function directors(scene, scale, out) {
-  moved(scene.normal, scale, scene.r, out);
+export function directors(normal, scale, r, out) {
+  moved(normal, scale, r, out);
   for (let i = 0; i < out.length; i += 3) {
     const size = Math.hypot(out[i], out[i + 1], out[i + 2]) || 1;
     for (let d = 0; d < 3; ++d) out[i + d] /= size;
   }
+  return out;
+}
+
+/** Points after a rotation (row by row) and a translation. */
+export function placed(points, { rotation, translation }) {
+  const out = new Float32Array(points.length);
+  for (let i = 0; i < points.length; i += 3)
+    for (let d = 0; d < 3; ++d) {
+      out[i + d] = translation[d];
+      for (let k = 0; k < 3; ++k) out[i + d] += rotation[3 * d + k] * points[i + k];
+    }
   return out;
 }
 

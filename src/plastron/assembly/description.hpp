@@ -60,6 +60,7 @@ struct ShellDescription {
   bool tying = true;         ///< (M22); triangles are never tied
   element::Tangency tangency{};
   element::Rotations rotations = element::Rotations::small;
+  bool is_objective = false;  ///< with finite rotations: ShellOperator::interpolate_reference()
   std::vector<Support> supports{};
   Loads loads{};
   RigidObstacles obstacles{};

@@ -18,12 +18,28 @@ RigidObstacles RigidObstacles::standing(const State& state) const {
   return result;
 }
 
+namespace {
+
+/// Returns (phi, a_3) of the nodes; block 6.
+algebra::Vector places_and_directors(const fem::Space& space, const std::vector<NodalPoint>& points) {
+  algebra::Vector all(space.layout, 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Eigen::Map<Vector3d>{all.at(i).data()} = points[i].phi;
+    Eigen::Map<Vector3d>{all.at(i).data() + 3} = points[i].a3;
+  }
+  space.continuity.apply(all);
+  return all;
+}
+
+}  // namespace
+
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description, State state) {
   ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
                       description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
+  if (description.is_objective) shell.interpolate_reference(places_and_directors(shell.space(), points));
   auto load = load_vector(shell, description.loads);
   auto follower = algebra::in_agreement<LoadError>(shell.space().layout->comm,
                                                    [&] { return follower_pressure(shell, description.loads); });

@@ -65,7 +65,23 @@ CellGeometry ShellOperator::geometry(std::size_t cell) const {
     points.reserve(count);
     for (std::size_t t = 0; t < count; ++t) points.push_back(packs_.sampling_point(s, cell, t));
   }
+  if (reference_.layout()) take_from_reference(cell, at);
   return at;
+}
+
+void ShellOperator::take_from_reference(std::size_t cell, CellGeometry& at) const {
+  const element::CellField nodal = gather(cell, reference_);
+  const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), nodal);
+  for (std::size_t q = 0; q < at.frames.size(); ++q)
+    at.frames[q] = shell::replaced(at.frames[q], rows.at(static_cast<Eigen::Index>(q)));
+  for (std::size_t s = 0; s < at.samplings.size(); ++s) {
+    const element::FieldRows sampled =
+        interpolation_.fields(cell, tables_.samplings[s].basis, sampling_bases(s, cell), nodal);
+    for (std::size_t t = 0; t < at.samplings[s].size(); ++t) {
+      const LocalField<double> v = sampled.at(static_cast<Eigen::Index>(t));
+      at.samplings[s][t] = {.a_cov = v.du, .a3 = v.r};
+    }
+  }
 }
 
 CellGeometry ShellOperator::geometry(std::size_t cell, const element::CellField& moved) const {
@@ -147,8 +163,11 @@ CellStrain ShellOperator::strains_at(std::size_t cell, const element::CellField&
   const element::FieldRows rows = interpolation_.fields(cell, basis, bases, field);
   std::optional<element::FieldRows> moved;
   if (state) moved = interpolation_.fields(cell, basis, bases, *state);
+  std::optional<element::FieldRows> interpolated;
+  if (reference_.layout()) interpolated = interpolation_.fields(cell, basis, bases, gather(cell, reference_));
   for (Eigen::Index p = 0; p < strains.rows(); ++p) {
-    const geometry::Frame& reference = frames[static_cast<std::size_t>(p)];
+    const geometry::Frame& exact = frames[static_cast<std::size_t>(p)];
+    const geometry::Frame reference = interpolated ? shell::replaced(exact, interpolated->at(p)) : exact;
     const geometry::Frame frame = moved ? shell::deformed(reference, moved->at(p)) : reference;
     strains.row(p).segment<3>(3) = shell::bending_strain(rows.at(p), frame);
     if (tables_.tying) continue;

@@ -60,6 +60,10 @@ class ShellOperator {
                 CrossSections sections, bool tying, bool is_covariant,
                 const PackKernels& kernels = *pack_kernels().front());
 
+  /// Lets geometry() take a_a, a_3 and d_a a_3 from the interpolation of (phi, a_3) at the nodes, block 6, in the place of the
+  /// exact surface: a rigid rotation of any size then has no strain (M24-M26). Metric and area stay exact.
+  void interpolate_reference(algebra::Vector places_and_directors) { reference_ = std::move(places_and_directors); }
+
   const fem::Space& space() const { return *space_; }
   const std::shared_ptr<const fem::Space>& space_pointer() const { return space_; }
   const fem::Surface& surface() const { return *surface_; }
@@ -152,6 +156,8 @@ class ShellOperator {
   SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field,
                                 const CellGeometry& at) const;
 
+  void take_from_reference(std::size_t cell, CellGeometry& at) const;
+
   std::shared_ptr<const fem::Space> space_;
   std::shared_ptr<const fem::Surface> surface_;
   CrossSections sections_;
@@ -160,6 +166,7 @@ class ShellOperator {
   CellPacks packs_;
   std::vector<geometry::MovingBasis> quadrature_bases_;  // owned cells x quadrature points; empty if Cartesian
   std::vector<std::vector<geometry::MovingBasis>> sampling_bases_;  // per sampling: owned cells x its points
+  algebra::Vector reference_{};  // see interpolate_reference(); without layout: the exact surface
 };
 
 }  // namespace plastron::assembly

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/computation/evaluation.hpp>
+#include <plastron/computation/step_control.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <fmt/format.h>
@@ -91,6 +92,22 @@ bool solve_between(Run& run, const problem::Instant& instant, const LevelTask& t
   return result.status == contact::Status::inaccurate;
 }
 
+/// Goes to an instant in parts that are chosen, without results.
+bool choose_parts_between(Run& run, const problem::Instant& from, const problem::Instant& to) {
+  return go_in_parts(run, from, to, [&](const problem::Instant& instant, const Departure& departure, double part) {
+    LevelTask task = run.task(run.last_level());
+    auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
+    LevelResult level = solve_level(task, std::move(discrete), run.observer);
+    const Attempt attempt = judged(level.record, part);
+    run.result.status = level.record.status;
+    if (attempt.is_accepted)
+      run.take(std::move(level));
+    else
+      run.result.solution = std::move(level.solution);
+    return attempt;
+  });
+}
+
 /// The same, from the solution at hand.
 bool solve_between(Run& run, const problem::Instant& instant) {
   LevelTask task = run.task(run.last_level());
@@ -101,9 +118,13 @@ bool solve_between(Run& run, const problem::Instant& instant) {
 
 }  // namespace
 
+double next_part(const Run& run, const problem::Instant& from, const problem::Instant& to, double done) {
+  return next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done);
+}
+
 bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, double done) {
   for (;;) {
-    done = next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done);
+    done = next_part(run, from, to, done);
     if (done == 1) return true;
     if (run.is_interrupted() || !solve_between(run, problem::between(from, to, done))) return false;
   }
@@ -128,6 +149,10 @@ bool approach_last(Run& run) {
       !may_pass(*run.solution().discrete, run.solution().nodal.y, instants.front().time, instants.back().time))
     return true;
   for (std::size_t i = 1; i < instants.size(); ++i) {
+    if (instants[i].chooses_parts) {
+      if (!choose_parts_between(run, instants[i - 1], instants[i])) return false;
+      continue;
+    }
     if (!approach(run, instants[i - 1], instants[i])) return false;
     if (i + 1 < instants.size() && !solve_between(run, instants[i])) return false;
   }

@@ -86,6 +86,14 @@ assembly::State Run::continued_at(const problem::Instant& instant) const {
   return start;
 }
 
+assembly::State Run::state_at(const problem::Instant& instant, const Departure& departure) const {
+  assembly::State start = state_at(instant);
+  start.positions = departure.state.positions;
+  start.displacement = departure.state.displacement;
+  if (start.control) start.load_factor = departure.state.load_factor;
+  return start;
+}
+
 std::vector<double> Run::positions() const {
   return problem.shell.obstacles.are_linear ? std::vector<double>{} : solution().discrete->positions();
 }

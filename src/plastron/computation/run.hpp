@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <deque>
 #include <limits>
 #include <optional>
 #include <string>
@@ -19,6 +20,12 @@ namespace plastron::computation {
 struct PreviousInstant {
   double time;
   ContactTrend trend;
+};
+
+/// A solution as a start of others: it outlives their attempts.
+struct Departure {
+  assembly::State state{};
+  ContactTrend trend{};
 };
 
 /// A computation from its start to its result. Functions that return bool return whether the computation continues; if
@@ -66,6 +73,14 @@ class Run {
   assembly::State state_at(const problem::Instant& instant) const;
   /// The state of an instant that starts from the solution at hand.
   assembly::State continued_at(const problem::Instant& instant) const;
+  /// The solution at hand as a start, with the contact that is expected at an instant.
+  Departure departure(const problem::Instant& instant, ContactTrend expected) const {
+    return {continued_at(instant), std::move(expected)};
+  }
+  /// The state of an instant that starts from there.
+  assembly::State state_at(const problem::Instant& instant, const Departure& departure) const;
+  /// Returns an instant between others, which is kept to the end.
+  const problem::Instant& keep(problem::Instant instant) { return chosen_.emplace_back(std::move(instant)); }
   /// Positions of pressed obstacles for the linearisation there; empty if gaps are linearised at the start.
   std::vector<double> positions() const;
   /// The shell of the solution at hand, linearised at another state; `task` gets the contact zone expected there. There
@@ -96,6 +111,7 @@ class Run {
   void adopt_worst_status();
 
   const Observer& asked_;
+  std::deque<problem::Instant> chosen_{};
   Level latest_{};
   bool has_jumped_ = false;                ///< since the last entry of the history, or since the start
   std::vector<ProbeValue> before_step_{};  ///< at the end of the last completed step

@@ -9,6 +9,7 @@
 #include <plastron/computation/adaptivity.hpp>
 #include <plastron/computation/approach.hpp>
 #include <plastron/computation/meshes.hpp>
+#include <plastron/computation/step_control.hpp>
 #include <plastron/estimation/goal_record.hpp>
 #include <plastron/problem/goal_names.hpp>
 
@@ -43,21 +44,44 @@ void judge_accuracy_at_end(Run& run, Meshes& meshes, const problem::Instant& ins
       fmt::format("{}at the last instant, reached step by step, {}", run.missed_accuracy.empty() ? "" : "; ", missed);
 }
 
-/// Solves an instant on the finest mesh, from a state and the contact zone of the solution at hand, and records it.
-bool advance(Run& run, Meshes& meshes, const problem::Instant& instant, assembly::State start) {
-  if (run.is_interrupted()) return false;
+/// Solves an instant on the finest mesh from a state with the contact that is expected, and records it unless a shorter part of
+/// the step is to be tried.
+Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, assembly::State start,
+                  const ContactTrend& expected, double part) {
   Stopwatch watch;
   LevelTask task = run.task_after_first_level(run.problem.discretisation.refinements);
   if (&instant == &run.instants.back() && !instant.control) task.goals = run.goals();
-  auto discrete = run.relinearised(std::move(start), expected_contact(run, instant), task);
+  auto discrete = run.relinearised(std::move(start), expected, task);
   task.seconds.discretisation = watch.lap();
   LevelResult level = solve_level(task, std::move(discrete), run.observer);
   run.result.status = level.record.status;
-  if (run.result.status == contact::Status::interrupted) return false;
+  Attempt attempt = judged(level.record, part);
+  if (run.result.status == contact::Status::interrupted) return attempt;
+  if (!attempt.is_accepted && attempt.may_go_on) {
+    run.result.solution = std::move(level.solution);
+    return attempt;
+  }
   run.take(std::move(level));
   if (run.problem.accuracy && run.result.estimates) judge_accuracy_at_end(run, meshes, instant);
   run.record(instant);
-  return run.result.status == contact::Status::solved || run.result.status == contact::Status::inaccurate;
+  attempt.may_go_on = run.result.status == contact::Status::solved || run.result.status == contact::Status::inaccurate;
+  return attempt;
+}
+
+/// Solves an instant from a state and the contact zone of the solution at hand, and records it.
+bool advance(Run& run, Meshes& meshes, const problem::Instant& instant, assembly::State start) {
+  if (run.is_interrupted()) return false;
+  const ContactTrend expected = expected_contact(run, instant);
+  return attempted(run, meshes, instant, std::move(start), expected, 0).may_go_on;
+}
+
+/// Goes from the instant of the solution at hand to the next one.
+bool advance(Run& run, Meshes& meshes, const problem::Instant& before, const problem::Instant& next) {
+  if (!next.chooses_parts)
+    return run.has_time_for(next) && approach(run, before, next) && advance(run, meshes, next, run.continued_at(next));
+  return go_in_parts(run, before, next, [&](const problem::Instant& instant, const Departure& departure, double part) {
+    return attempted(run, meshes, instant, run.state_at(instant, departure), departure.trend, part);
+  });
 }
 
 /// Records the first instant of the finest mesh; solves it again if the last instant was solved there.
@@ -84,11 +108,8 @@ Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& obs
   Meshes meshes(run);
   bool goes_on = meshes.solve();
   if (goes_on && !problem.steps.empty()) goes_on = record_first(run, meshes);
-  for (std::size_t i = 1; goes_on && i < run.instants.size(); ++i) {
-    const problem::Instant &before = run.instants[i - 1], &next = run.instants[i];
-    goes_on =
-        run.has_time_for(next) && approach(run, before, next) && advance(run, meshes, next, run.continued_at(next));
-  }
+  for (std::size_t i = 1; goes_on && i < run.instants.size(); ++i)
+    goes_on = advance(run, meshes, run.instants[i - 1], run.instants[i]);
   if (goes_on) meshes.judge_geometry();
   if (goes_on && problem.steps.empty() && !run.has_checked_model()) run.check_model();
   return run.finish();

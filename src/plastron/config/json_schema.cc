@@ -57,6 +57,7 @@ Schema schema_of(const Key& key, Kind kind, const std::string& path) {
   if (is(Kind::word_or_false)) return any_of({word_of(key), {{"enum", {false}}}});
   if (is(Kind::boolean)) return {{"type", "boolean"}};
   if (is(Kind::integer)) return number("integer", key.range);
+  if (is(Kind::integer_or_word)) return any_of({word_of(key), number("integer", key.range)});
   if (is(Kind::number, Kind::field)) return real;
   if (is(Kind::numbers)) return list_of(real);
   if (is(Kind::point)) return list_of(real, 2);

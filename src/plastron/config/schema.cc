@@ -32,6 +32,7 @@ std::string description(Kind kind) {
       {Kind::word_or_false, "a word in quotes or false"},
       {Kind::boolean, "true or false"},
       {Kind::integer, "a whole number"},
+      {Kind::integer_or_word, "a whole number or a word in quotes"},
       {Kind::number, "a number or an expression of the constants"},
       {Kind::numbers, "a list of numbers"},
       {Kind::point, "a list of two numbers"},

@@ -28,21 +28,22 @@ enum class Kind {
   word_or_false,  ///< one of Key::words, or false
   boolean,
   integer,
-  number,         ///< a number or an expression of the constants
-  numbers,        ///< a list of numbers
-  point,          ///< two numbers
-  place,          ///< two numbers, x and y, or three, X, Y and Z
-  places,         ///< a list of places
-  vector,         ///< three numbers
-  vectors,        ///< a list of vectors
-  cell_counts,    ///< two integers
-  names,          ///< a list of texts; each is one of Key::words, if there are any
-  name_or_names,  ///< a name, or a list of some
-  points,         ///< a list of points
-  field,          ///< a number or an expression of the variables and constants
-  field_vector,   ///< three fields
-  space_formula,  ///< an expression of X, Y, Z with two derivatives
-  formulas,       ///< three fields with two derivatives, or a table of them by region
+  integer_or_word,  ///< a whole number, or one of Key::words
+  number,           ///< a number or an expression of the constants
+  numbers,          ///< a list of numbers
+  point,            ///< two numbers
+  place,            ///< two numbers, x and y, or three, X, Y and Z
+  places,           ///< a list of places
+  vector,           ///< three numbers
+  vectors,          ///< a list of vectors
+  cell_counts,      ///< two integers
+  names,            ///< a list of texts; each is one of Key::words, if there are any
+  name_or_names,    ///< a name, or a list of some
+  points,           ///< a list of points
+  field,            ///< a number or an expression of the variables and constants
+  field_vector,     ///< three fields
+  space_formula,    ///< an expression of X, Y, Z with two derivatives
+  formulas,         ///< three fields with two derivatives, or a table of them by region
   table,
   tables,     ///< a repeated section
   free_table  ///< a table whose keys are names of the user's choice

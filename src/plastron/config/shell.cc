@@ -1,6 +1,5 @@
 // Reads [shell], [[region]] and [gravity]: the cross-sections of the shell, and its weight.
 #include <plastron/config/sections.hpp>
-#include <plastron/problem/instants.hpp>
 #include <plastron/shell/material.hpp>
 
 #include <algorithm>
@@ -47,6 +46,10 @@ Section shell_section() {
            {{"small", Rotations::small}, {"finite", Rotations::finite}}, {.fallback = "\"small\""},
            "small: Naghdi's linear model. finite: strains, gaps and equilibrium are those of the deformed shell, "
            "with directors of length 1; loads keep their directions unless they follow. For the tangent formulation"),
+       key("objective", &assembly::ShellDescription::is_objective, {.fallback = "false"},
+           "true: with finite rotations strains are those between interpolated surfaces, so that a rigid rotation of "
+           "any "
+           "size has none. false: between exact surfaces; degree 1 and 2 then feel large rotations of curved shells"),
        key("penalty", &Tangency::penalty, {.fallback = "0.1", .range = Range::positive(1)},
            "p of the penalised formulation; the penalty is E e^3 / p"),
        key("stabilisation", &Tangency::stabilisation, {.fallback = "1", .range = Range::positive()},
@@ -166,12 +169,14 @@ std::optional<Place> density_place(const Table& root) {
 
 /// Returns the largest change of the factor of prescribed motions from one instant to the next.
 double largest_part_of_motions(const problem::Problem& problem) {
-  double before = 0, part = 0;
-  for (const problem::Instant& instant : problem::instants(problem)) {
-    part = std::max(part, std::abs(instant.support_factor - before));
-    before = instant.support_factor;
+  if (problem.steps.empty()) return 1;
+  double before = 0, most = 0;
+  for (const problem::Step& step : problem.steps) {
+    const double part = step.chooses_parts ? problem::Step::longest_chosen_part : 1.0 / step.parts;
+    most = std::max(most, part * std::abs(step.support_factor - before));
+    before = step.support_factor;
   }
-  return part;
+  return most;
 }
 
 }  // namespace
@@ -192,8 +197,11 @@ void read_shell(Table& root, problem::Problem& problem) {
 }
 
 void check_rotations(Table& root, const problem::Problem& problem) {
-  if (problem.shell.rotations == Rotations::small) return;
+  if (problem.shell.rotations == Rotations::small && !problem.shell.is_objective) return;
   root.in_table("shell", [&](Table& shell) {
+    if (problem.shell.rotations == Rotations::small)
+      return shell.report("objective", "small rotations are small in any case: objective is for finite ones", "",
+                          "write rotations = \"finite\", or remove it");
     const Formulation formulation = problem.shell.tangency.formulation;
     if (formulation != Formulation::tangent)
       shell.report("rotations",

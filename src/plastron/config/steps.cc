@@ -73,14 +73,16 @@ void read_control(Table& table, const problem::Problem& problem, problem::Step& 
   }
 }
 
-/// Whether the case has loads; layers may have initial strains, which are loads.
+/// Whether the case has loads. Layers may have initial strains, which are loads.
 bool has_loads(const problem::Problem& problem) {
   const assembly::Loads& loads = problem.shell.loads;
+  const assembly::CrossSections& sections = problem.shell.sections;
+  const auto is_layered = [](const assembly::CrossSection& section) { return section.material.laminate() != nullptr; };
+  const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
   return !loads.on_areas.empty() || !loads.on_edges.empty() || !loads.gravity.isZero(0) ||
-         problem.shell.sections.most_layers() > 0 ||
-         std::ranges::any_of(problem.rigid_bodies, [](const fem::RigidBody& body) {
-           return !body.force.isZero(0) || !body.moment.isZero(0);
-         });
+         is_layered(sections.common) ||
+         std::ranges::any_of(sections.regions, [&](const auto& region) { return is_layered(region.second); }) ||
+         std::ranges::any_of(problem.rigid_bodies, is_loaded);
 }
 
 void read_moves(Table& table, const std::vector<std::string>& known, problem::Problem& problem, problem::Step& step) {
@@ -96,22 +98,24 @@ void read_moves(Table& table, const std::vector<std::string>& known, problem::Pr
 }
 
 Section step_section() {
-  return {"step",
-          "[[step]]",
-          "Steps are computed in their order on the finest mesh; each starts where the previous one ended. In a step "
-          "the loads, the values of supports, the forces on obstacles and the motions of obstacles proceed in equal "
-          "parts. Before the first step all of them are 0. Without steps the case is computed once, with all of them.",
-          {key("name", Kind::name, {}, "a name that no other step has; step-1, step-2, ... if not given"),
-           key("loads", Kind::number, {},
-               "factor of all loads, including the weight, at the end of the step. If not given, the factor of the "
-               "previous step; in the first step 1"),
-           key("supports", Kind::number, {},
-               "factor of the values of supports and rigid bodies at the end of the step. If not given, the factor of "
-               "the previous step; in the first step 1"),
-           key("parts", Kind::integer, {.fallback = "1", .range = Range::between(1, 1000)},
-               "number of equal parts of the step; each is solved and appears in the history"),
-           key("control", Kind::table, {}, "the displacement that the loads follow, in the place of `loads`"),
-           key("move", Kind::tables, {.fallback = "[]"}, "motions of obstacles in this step")}};
+  return {
+      "step",
+      "[[step]]",
+      "Steps are computed in their order on the finest mesh; each starts where the previous one ended. In a step "
+      "the loads, the values of supports, the forces on obstacles and the motions of obstacles proceed in equal "
+      "parts. Before the first step all of them are 0. Without steps the case is computed once, with all of them.",
+      {key("name", Kind::name, {}, "a name that no other step has; step-1, step-2, ... if not given"),
+       key("loads", Kind::number, {},
+           "factor of all loads, including the weight, at the end of the step. If not given, the factor of the "
+           "previous step; in the first step 1"),
+       key("supports", Kind::number, {},
+           "factor of the values of supports and rigid bodies at the end of the step. If not given, the factor of "
+           "the previous step; in the first step 1"),
+       key("parts", Kind::integer_or_word, {.fallback = "1", .range = Range::between(1, 1000), .words = {"auto"}},
+           "number of equal parts of the step; each is solved and appears in the history. auto: parts are as long as "
+           "the iteration allows, and shorter where it finds no equilibrium or the shell jumps to another one"),
+       key("control", Kind::table, {}, "the displacement that the loads follow, in the place of `loads`"),
+       key("move", Kind::tables, {.fallback = "[]"}, "motions of obstacles in this step")}};
 }
 
 Section control_section() {
@@ -202,7 +206,11 @@ void read_steps(Table& root, problem::Problem& problem) {
     if (table.has("supports")) step.support_factor = table.number("supports").value_or(1);
     table.effective["supports"] = step.support_factor;
     read_control(table, problem, step);
-    step.parts = table.integer("parts").value_or(1);
+    step.chooses_parts = table.has("parts") && table.value("parts")->is_string();
+    if (step.chooses_parts)
+      table.text("parts");
+    else
+      step.parts = table.integer("parts").value_or(1);
     if (step.parts > 0 && (parts += step.parts) > most_parts)
       table.report("parts", fmt::format("the steps have more than {} parts in all", most_parts));
     read_moves(table, obstacle_names(root), problem, step);

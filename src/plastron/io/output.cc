@@ -79,7 +79,9 @@ Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm 
 }
 
 void Output::add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution) {
-  if (can_be_drawn(solution, files_.comm())) add_fields(solution, entry.time, fmt::format("-{:04}", ++instants_), true);
+  if (!can_be_drawn(solution, files_.comm())) return;
+  add_fields(solution, entry.time, fmt::format("-{:04}", ++instants_), true);
+  if (with_report_) frames_.add(entry, solution);
 }
 
 /// Adds the shell and the obstacles, as parts of the time series if requested.
@@ -150,7 +152,7 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
   provenance.heights = given_.heights;
   provenance.units = given_.units;
   provenance.files = names_;
-  if (with_report_) add_report(result, provenance, is_drawn, tables, directory_, files_);
+  if (with_report_) add_report(result, provenance, is_drawn, frames_, tables, directory_, files_);
   add_results(result, provenance, directory_, files_);
   add_checksums();
   files_.commit(results_name);

@@ -1,5 +1,6 @@
 // All output files of a computation. In their order, results.json shows that they are complete.
 #pragma once
+#include <plastron/io/report_scene.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/io/vtu.hpp>
 #include <plastron/problem/problem.hpp>
@@ -46,6 +47,7 @@ class Output {
   bool with_report_;
   problem::Output given_;
   std::vector<DataSet> series_{};
+  SceneFrames frames_{};
   int instants_ = 0;
   std::vector<std::string> names_{};
 };

@@ -80,9 +80,10 @@ std::string report_html(const Json& results, const Json& scene, const std::vecto
 }
 
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
-                const std::vector<LineTable>& lines, const std::filesystem::path& directory, AtomicFiles& files) {
+                const SceneFrames& frames, const std::vector<LineTable>& lines, const std::filesystem::path& directory,
+                AtomicFiles& files) {
   const bool has_view = is_drawn && !embedded_page().script.empty();
-  const Json scene = has_view ? scene_json(*result.solution, result.summary, provenance.units) : Json(nullptr);
+  const Json scene = has_view ? scene_json(*result.solution, result.summary, provenance.units, frames) : Json(nullptr);
   files.add_text(directory / report_name, [&] {
     const std::string text = results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
     return report_html(Json::parse(text), scene, lines);

@@ -3,6 +3,7 @@
 #pragma once
 #include <plastron/io/csv_tables.hpp>
 #include <plastron/io/quantities.hpp>
+#include <plastron/io/report_scene.hpp>
 #include <plastron/io/results.hpp>
 
 #include <string>
@@ -17,7 +18,8 @@ std::string report_html(const Json& results, const Json& scene, const std::vecto
 
 /// Adds directory/report.html; `is_drawn`: the solution exists and is finite (collective). Throws std::runtime_error.
 void add_report(const computation::Result& result, const Provenance& provenance, bool is_drawn,
-                const std::vector<LineTable>& lines, const std::filesystem::path& directory, AtomicFiles& files);
+                const SceneFrames& frames, const std::vector<LineTable>& lines, const std::filesystem::path& directory,
+                AtomicFiles& files);
 
 // The sections of the page, each from the values in results.json.
 

@@ -163,13 +163,13 @@ std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
   return fields;
 }
 
-SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points) {
+SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points,
+                               std::vector<Field> fields) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
   const MPI_Comm comm = space.layout->comm;
   SampledSurface surface;
-  surface.fields =
-      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed);
+  surface.fields = std::move(fields);
   surface.cells = drawn_cells(space.shape(), space.degree, cells_by_level(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
@@ -217,11 +217,9 @@ Json obstacle_json(const obstacle::TriangleMesh& mesh, const std::string& name) 
   return {{"name", name}, {"points", base64_of_numbers(points)}, {"triangles", base64_of_numbers(corners)}};
 }
 
-Json obstacles_json(const assembly::RigidObstacles& obstacles, const obstacle::Extent& extent,
-                    const solution::Summary& summary) {
+Json obstacles_json(const std::vector<DrawnObstacle>& all, const solution::Summary& summary) {
   constexpr std::size_t most_triangles = 60'000;  // in total: 1.3 MB
   Json list = Json::array();
-  const auto all = drawn_obstacles(obstacles, extent);
   for (const DrawnObstacle& drawn : all)
     list.push_back(obstacle_json(thinned_surface(drawn.surface, most_triangles / all.size()),
                                  summary.obstacles.at(drawn.number).name));
@@ -288,19 +286,71 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
   return list;
 }
 
+std::vector<Field> fields_of_frames(bool has_obstacle) {
+  std::vector<Field> fields = report_fields(has_obstacle, false);
+  std::erase_if(fields, [](const Field& field) { return field.key != "u" && field.key != "r" && field.key != "eta"; });
+  return fields;
+}
+
 }  // namespace
 
+void SceneFrames::add(const computation::HistoryEntry& entry, const computation::Solution& solution,
+                      std::int64_t most_points) {
+  constexpr std::int64_t most_values = 1'500'000;  // 8 MB on the page
+  if (seen_++ % every_ != 0) return;
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(!discrete.obstacles.empty()));
+  std::vector<obstacle::Placement> places;
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) places.push_back(discrete.obstacles.now(k).placement);
+  frames_.push_back(
+      {entry.time, entry.step, surface.points, std::move(surface.fields), std::move(surface.rows), std::move(places)});
+  if (std::ssize(frames_) * surface.points * 7 < most_values) return;
+  every_ *= 2;
+  std::vector<Frame> kept;
+  for (std::size_t i = 0; i < frames_.size(); i += 2) kept.push_back(std::move(frames_[i]));
+  frames_ = std::move(kept);
+}
+
+Json SceneFrames::json(const computation::Solution& last, std::span<const std::size_t> drawn,
+                       std::int64_t points) const {
+  Json list = Json::array();
+  const assembly::DiscreteShell& discrete = *last.discrete;
+  for (const Frame& frame : frames_) {
+    if (frame.points != points || frame.rows.empty() || frame.time >= discrete.state.time) continue;
+    Json json{{"time", frame.time}, {"step", frame.step}, {"obstacles", Json::array()}};
+    std::size_t row = 0;
+    for (const Field& field : frame.fields)
+      for (int c = 0; c < field.components; ++c) json[field.key].push_back(row_json(frame.rows[row++]));
+    for (const std::size_t k : drawn) {
+      const obstacle::Placement end = discrete.obstacles.now(k).placement, &now = frame.obstacles.at(k);
+      const Eigen::Matrix3d turn = now.rotation * end.rotation.transpose();
+      const Eigen::Vector3d way = now.translation - turn * end.translation;
+      json["obstacles"].push_back({{"rotation",
+                                    {turn(0, 0), turn(0, 1), turn(0, 2), turn(1, 0), turn(1, 1), turn(1, 2), turn(2, 0),
+                                     turn(2, 1), turn(2, 2)}},
+                                   {"translation", {way[0], way[1], way[2]}}});
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json scene_json(const computation::Solution& solution, const solution::Summary& summary,
-                const problem::UnitNames& units, std::int64_t most_points) {
+                const problem::UnitNames& units, const SceneFrames& frames, std::int64_t most_points) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
-  const SampledSurface surface = sampled_surface(solution, most_points);
+  const SampledSurface surface = sampled_surface(
+      solution, most_points,
+      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed));
   const obstacle::Extent extent = surroundings(solution);
   const Json supports = supports_json(discrete, solution.nodal);
   int rank = 0;
   MPI_Comm_rank(space.layout->comm, &rank);
   return algebra::in_agreement(space.layout->comm, [&] {
     if (rank != 0 || surface.rows.empty()) return Json(nullptr);
+    const auto obstacles = drawn_obstacles(discrete.obstacles, extent);
+    std::vector<std::size_t> drawn;
+    for (const DrawnObstacle& obstacle : obstacles) drawn.push_back(obstacle.number);
     return Json{{"shape", space.shape() == mesh::Shape::triangle ? "triangle" : "quadrilateral"},
                 {"subdivisions", surface.cells.subdivisions},
                 {"cells", surface.cells.count},
@@ -309,7 +359,9 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
                 {"degree", space.degree},
                 {"merged", 1 << surface.cells.merged_levels},
                 {"fields", fields_json(surface, units)},
-                {"obstacles", obstacles_json(discrete.obstacles, extent, summary)},
+                {"obstacles", obstacles_json(obstacles, summary)},
+                {"time", discrete.state.time},
+                {"frames", frames.json(solution, drawn, surface.points)},
                 {"lines", lines_json(summary)},
                 {"supports", supports}};
   });

@@ -39,18 +39,44 @@ struct SampledSurface {
 /// Returns the fields that colours can show: no tangents, no directions, no places except the mid-surface.
 std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier);
 
-/// Returns the surface with cells in an order that does not depend on the number of ranks (collective). Throws the
+/// Returns the surface with some fields and cells in an order that does not depend on the number of ranks (collective). Throws the
 /// errors of the chart at points between nodes, on all ranks together.
-SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points);
+SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points,
+                               std::vector<Field> fields);
 
 /// Largest number of points of the shell's surface on a page. The page stays below 12 MB (a field's 4 bytes are 5.3
 /// letters, some 60 components).
 inline constexpr std::int64_t most_report_points = 26'000;
 
+/// Instants of the steps as frames of the view: u, r and eta at the points of the scene, and the places of obstacles. Of many
+/// instants every second one is kept, or every fourth, and so on.
+class SceneFrames {
+ public:
+  /// Adds an instant (collective).
+  void add(const computation::HistoryEntry& entry, const computation::Solution& solution,
+           std::int64_t most_points = most_report_points);
+  /// Returns the frames before the last solution, on the first rank. Each obstacle of the scene has the rotation (row-major) and
+  /// the translation that move it from its place in the scene. `drawn`: the obstacles' numbers in the scene.
+  Json json(const computation::Solution& last, std::span<const std::size_t> drawn, std::int64_t points) const;
+
+ private:
+  struct Frame {
+    double time;
+    std::string step;
+    std::int64_t points;
+    std::vector<Field> fields;
+    std::vector<std::vector<float>> rows;
+    std::vector<obstacle::Placement> obstacles;
+  };
+  std::vector<Frame> frames_{};
+  int seen_ = 0, every_ = 1;
+};
+
 /// Returns the scene on the first rank; null on the others, and if the surface is too large (collective). "fields" has
 /// the entries of io/fields.hpp with "values": for each component a base64 array of floats, or one number if all values
 /// are equal. Throws like sampled_surface().
 Json scene_json(const computation::Solution& solution, const solution::Summary& summary,
-                const problem::UnitNames& units = {}, std::int64_t most_points = most_report_points);
+                const problem::UnitNames& units = {}, const SceneFrames& frames = {},
+                std::int64_t most_points = most_report_points);
 
 }  // namespace plastron::io

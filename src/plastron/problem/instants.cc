@@ -16,12 +16,17 @@ Instant between(const Instant& from, const Instant& to, double part) {
   Instant now{.step = to.step,
               .time = between(from.time, to.time, part),
               .load_factor = between(from.load_factor, to.load_factor, part),
-              .support_factor = between(from.support_factor, to.support_factor, part)};
+              .support_factor = between(from.support_factor, to.support_factor, part),
+              .control = to.control};
+  now.part = part == 1 ? to.part : now.time - to.step;
   for (std::size_t k = 0; k < to.force_factors.size(); ++k)
     now.force_factors.push_back(
         between(from.force_factors.empty() ? 1 : from.force_factors[k], to.force_factors[k], part));
   return now;
 }
+
+/// Part of the first step that is solved from the undeformed shell where parts are chosen.
+constexpr double first_part = 0.125;
 
 Instant start(const Problem& problem) {
   return {.load_factor = 0,
@@ -35,14 +40,17 @@ std::vector<Instant> instants(const Problem& problem) {
   Instant before = start(problem);
   for (std::size_t s = 0; s < problem.steps.size(); ++s) {
     const Step& step = problem.steps[s];
-    for (int j = 1; j <= step.parts; ++j) {
-      const double part = static_cast<double>(j) / step.parts;
+    std::vector<double> parts;
+    if (step.chooses_parts && s == 0) parts.push_back(first_part);
+    for (int j = 1; j <= step.parts; ++j) parts.push_back(static_cast<double>(j) / step.parts);
+    for (const double part : parts) {
       Instant now{.step = static_cast<int>(s),
                   .time = static_cast<double>(s) + part,
                   .load_factor = between(before.load_factor, step.load_factor, part),
                   .support_factor = between(before.support_factor, step.support_factor, part),
                   .control = step.control ? &*step.control : nullptr,
-                  .part = part};
+                  .part = part,
+                  .chooses_parts = step.chooses_parts};
       for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
         const double to = step.force_factors.empty() ? 1 : step.force_factors[k];
         now.force_factors.push_back(between(before.force_factors[k], to, part));

@@ -14,6 +14,7 @@ struct Instant {
   double support_factor = 1;            ///< factor of all prescribed components
   const Control* control = nullptr;     ///< if given, the load factor follows from it
   double part = 1;                      ///< completed part of the step
+  bool chooses_parts = false;           ///< the way to it from the instant before goes in parts that are chosen
   std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
 };
 
@@ -25,7 +26,7 @@ Instant start(const Problem& problem);
 
 /// Returns the instants. In each step, loads, forces and prescribed components change in equal parts from their earlier
 /// factors to the factors of the step; before the first step they are 0. A problem without steps has one instant, at time
-/// 0, with all of them.
+/// 0, with all of them. Of a step that chooses its parts they have the end, and a first part if it is the first step.
 std::vector<Instant> instants(const Problem& problem);
 
 /// Returns the control of an instant. `start`: values of u . direction at the start of its step [m].

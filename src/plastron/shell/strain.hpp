@@ -76,6 +76,16 @@ inline Frame deformed(const Frame& reference, const LocalField<double>& v) {
   return f;
 }
 
+/// Returns the frame with the tangents, the director and its derivatives of another field (phi, a_3); metric, area and curvature
+/// stay.
+inline Frame replaced(const Frame& reference, const LocalField<double>& field) {
+  Frame f = reference;
+  f.a3 = field.r;
+  f.a_cov = field.du;
+  f.da3 = field.dr;
+  return f;
+}
+
 /// Add the work-conjugates of LocalField: N : gamma + M : chi + Q . delta = sum du_dual . d u + r_dual . r + dr_dual
 /// . d r. The functions are the three transposed strain maps.
 inline void add_membrane_dual(const Vector3d& n, const std::array<Vector3d, 2>& a_cov, LocalField<double>& dual) {
