@@ -7,10 +7,6 @@
 
 namespace plastron::computation {
 
-/// Returns the end of the next part of the way between two instants, after `done`: so short that obstacles cannot pass through
-/// the solution at hand (collective).
-double next_part(const Run& run, const problem::Instant& from, const problem::Instant& to, double done);
-
 /// Solves intermediate instants from the solution at hand, after the part `done` of the way between two instants
 /// (collective).
 bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, double done = 0);

@@ -1,6 +1,6 @@
 #include <plastron/computation/step_control.hpp>
 
-#include <plastron/computation/approach.hpp>
+#include <plastron/computation/passage.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant&
   while (done < 1) {
     // What would remain for a very short last part is taken along.
     double next = done + 1.25 * length >= 1 ? 1 : done + length;
-    next = std::min(next, next_part(run, from, to, done));
+    next = std::min(next, next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done));
     const Departure departure = run.departure(to, contact_trend(*run.solution().discrete, run.solution().nodal));
     for (;;) {
       if (run.is_interrupted()) return false;

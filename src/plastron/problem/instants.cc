@@ -1,8 +1,7 @@
 #include <plastron/problem/instants.hpp>
 
-#include <plastron/algebra/assertion.hpp>
-
 #include <algorithm>
+#include <stdexcept>
 
 namespace plastron::problem {
 
@@ -65,7 +64,7 @@ std::vector<Instant> instants(const Problem& problem) {
 std::optional<assembly::LoadControl> load_control(const Problem& problem, const Instant& instant, double start) {
   if (!instant.control) return {};
   const auto probe = std::ranges::find(problem.probes, instant.control->probe, &Probe::name);
-  PLASTRON_ASSERT(probe != problem.probes.end());
+  if (probe == problem.probes.end()) throw std::logic_error("the probe of a control was not checked");
   return assembly::LoadControl{.at = probe->at,
                                .direction = instant.control->direction,
                                .displacement = between(start, instant.control->to, instant.part)};
