@@ -340,6 +340,61 @@ TEST(LoadsThatFollowADisplacement, AreThoseOfAnArchThatSnaps) {
   EXPECT_THAT(r.warnings, Contains(HasSubstr("under these loads alone the shell snaps")));
 }
 
+// A displacement that the loads do not move controls nothing.
+TEST(LoadsThatFollowADisplacement, MustMoveIt) {
+  problem::Problem p = disk_of({"x", "y", "sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.3), 0);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.loads.on_areas = {force(0, 0, -1e-3)};
+  p.probes = {{.name = "apex", .at = {0, 0}}};
+  p.steps = {controlled("apex", 0.01, 1)};
+  p.steps[0].control->direction = {1, 0, 0};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(r.status, contact::Status::no_equilibrium);
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("the loads do not move the displacement")));
+}
+
+// Very thin shells need products through strains: the assembled matrix rounds their bending stiffness away. The number of Newton
+// steps does not depend on the thickness.
+TEST(FiniteRotations, OfThinStripsTakeTheSameSteps) {
+  std::vector<double> ways;
+  for (const double e : {1e-2, 1e-4, 1e-5}) {
+    problem::Problem p = strip_of({"x", "y", "0"}, e, 1, 0);
+    p.shell.rotations = element::Rotations::finite;
+    p.shell.supports.push_back(clamped("left"));
+    p.shell.loads.on_edges = {{.boundary = "right", .force = vector(0, 0, 4 * std::pow(e, 3) / 12)}};
+    const Result r = solve(p, MPI_COMM_WORLD);
+    ASSERT_EQ(r.status, contact::Status::solved) << e << r.missed_limits;
+    EXPECT_LE(r.last_level().linearisations, 11) << e;
+    ways.push_back(r.summary.max_displacement);
+  }
+  EXPECT_NEAR(ways[1] / ways[0], 1, 1e-3);
+  EXPECT_NEAR(ways[2] / ways[1], 1, 1e-5);
+}
+
+// A shell that returns to its unloaded state is certified there, where all forces are rounding.
+TEST(FiniteRotations, ComeBackToTheUnloadedState) {
+  problem::Problem p = disk_of({"x", "y", "sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.3), 0);
+  p.shell.rotations = element::Rotations::finite;
+  p.shell.loads.on_areas = {force(0, 0, -1e-4)};
+  p.steps = {{.name = "press"}, {.name = "release", .load_factor = 0}};
+  const Result r = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+  EXPECT_LT(r.summary.max_displacement, 1e-14);
+}
+
+TEST(PrescribedDirectors, HaveTheLengthOneAndGoLessThanHalfATurn) {
+  const auto with = [](double x, double z) {
+    problem::Problem p = rolled_strip(0.1, 0.1);
+    p.shell.supports.back().components[0].value = Expression(x);
+    p.shell.supports.back().components[2].value = Expression(z);
+    return examination::has_errors(examination::examine(p));
+  };
+  EXPECT_FALSE(with(std::sin(1), std::cos(1) - 1));
+  EXPECT_TRUE(with(0, -0.5));
+  EXPECT_TRUE(with(0, -1));
+  EXPECT_TRUE(with(0, -2));
+}
+
 // Loads that follow a displacement into contact are those that bring it about.
 TEST(LoadsThatFollowADisplacement, AreThoseThatBringItAboutInContact) {
   problem::Problem p = disk_of({"x", "y", "1.02-sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.5), 1);

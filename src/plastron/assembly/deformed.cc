@@ -78,9 +78,20 @@ void keep_angle(const NodalPoint& first, const NodalPoint& second, const Vector3
   r = cosine * d_first + sine * across - second.a3;
 }
 
-/// Where all three components of r are prescribed, they prescribe a director: replaces them by the way to it, tangential
-/// to the present one. Returns whether it has done this.
+/// Where all three components of r are prescribed, replaces them by the way to the director, tangential to the present one.
+/// Returns whether it has done this.
 bool prescribes_director(const Vector3d& a3, const Vector3d& now, NodeSupport& support) {
+  const std::optional<Vector3d> director = prescribed_director(a3, support);
+  if (!director) return false;
+  const Vector3d way = director->normalized() - now;
+  support.rotation.clear();
+  for (const Vector3d& direction : across(now)) support.rotation.emplace_back(direction, direction.dot(way));
+  return true;
+}
+
+}  // namespace
+
+std::optional<Vector3d> prescribed_director(const Vector3d& a3, const NodeSupport& support) {
   constexpr double independent = 1e-6;
   Matrix3d rows = Matrix3d::Zero();
   Vector3d values = Vector3d::Zero();
@@ -88,14 +99,9 @@ bool prescribes_director(const Vector3d& a3, const Vector3d& now, NodeSupport& s
     rows += direction * direction.transpose();
     values += value * direction;
   }
-  if (!(geometry::symmetric_eigen(rows).values[0] > independent)) return false;
-  const Vector3d way = (a3 + rows.ldlt().solve(values)).normalized() - now;
-  support.rotation.clear();
-  for (const Vector3d& direction : across(now)) support.rotation.emplace_back(direction, direction.dot(way));
-  return true;
+  if (!(geometry::symmetric_eigen(rows).values[0] > independent)) return {};
+  return a3 + rows.ldlt().solve(values);
 }
-
-}  // namespace
 
 std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vector<NodalPoint>& points,
                                         const algebra::Vector& y) {

@@ -5,6 +5,7 @@
 #include <plastron/assembly/nodal_geometry.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plastron::assembly {
@@ -25,6 +26,9 @@ std::shared_ptr<const fem::Space> turned_space(const std::shared_ptr<const fem::
                                                const std::vector<NodalPoint>& points,
                                                const std::vector<NodalPoint>& moved,
                                                const std::vector<fem::BodyPlace>& places);
+
+/// Returns a_3 + r where a support prescribes all three components of r.
+std::optional<Vector3d> prescribed_director(const Vector3d& a3, const NodeSupport& support);
 
 /// Returns the supports of increments: prescribed values less the present ones. `supports`: those of node_supports().
 std::vector<NodeSupport> remaining_supports(std::vector<NodeSupport> supports, const std::vector<NodalPoint>& points,

@@ -52,7 +52,7 @@ class LevelRun {
 
   Seconds seconds;
   int factorisations = 0, linearisations = 0;
-  bool has_jumped = false;  ///< see Level
+  bool has_jumped = false, is_control_blind = false;  ///< see Level
   std::vector<contact::Iteration> history{};
 
   /// Solves the contact problem of the present linearisation, starting from the expected zone; null if there is none.
@@ -194,7 +194,7 @@ Found solved_linear(LevelRun& run, const LevelTask& task, const algebra::Vector*
 /// Number of Newton steps after which a shell with finite rotations has no equilibrium near its state.
 constexpr int most_newton_steps = 60;
 /// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
-constexpr double negligible_step = 1e-9, small_step = 1e-5;
+constexpr double negligible_step = 1e-9, tiny_step = 1e-8, small_step = 1e-5;
 
 /// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
 /// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
@@ -218,6 +218,7 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   bool lost_stiffness = false;
   for (int steps = 0; steps < most_newton_steps; ++steps) {
     step = run.newton_step(start);
+    run.is_control_blind = step.is_control_blind;
     lost_stiffness = lost_stiffness || (step.shift > 0 && steps > 0);
     if (steps == 0) predicted = step.largest_displacement;
     if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
@@ -227,7 +228,8 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
     start = std::move(step.next);
     const double size =
         std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
-    const bool is_rounding = size < small_step && size > 0.9 * before;
+    // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
+    const bool is_rounding = size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
     before = size;
     if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
@@ -341,6 +343,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.factorisations = run.factorisations;
   record.linearisations = run.linearisations;
   record.has_jumped = run.has_jumped;
+  record.is_control_blind = run.is_control_blind;
   record.lift_rounds = lifted.rounds;
   record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
   record.seconds = run.seconds;

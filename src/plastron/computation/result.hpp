@@ -62,6 +62,7 @@ struct Level {
   double max_rotation = 0;           ///< max |r| [rad]
   /// With finite rotations: a motion had no stiffness on the way, and the shell moved far beyond the linear prediction.
   bool has_jumped = false;
+  bool is_control_blind = false;  ///< the loads do not move the displacement that is to control them
   /// Membrane forces over those under which a perfect shell buckles (estimation::buckling()), where it was computed.
   std::optional<double> buckling{};
   std::vector<estimation::GoalRecord> goals{};  ///< empty if no accuracy is requested

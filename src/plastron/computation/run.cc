@@ -219,6 +219,7 @@ Result Run::finish() {
     }
     warn(linear_model_warnings(result));
     warn(jump_warnings(result));
+    warn(control_warnings(result));
     warn(stability_warnings(result));
     warn(geometry_warnings(result));
     add_contact_zones(result);

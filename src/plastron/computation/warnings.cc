@@ -204,6 +204,14 @@ std::vector<std::string> jump_warnings(const Result& result) {
                   when)};
 }
 
+std::vector<std::string> control_warnings(const Result& result) {
+  const auto is_blind = [](const HistoryEntry& entry) { return entry.level.is_control_blind; };
+  if (!std::ranges::any_of(result.levels, &Level::is_control_blind) && !std::ranges::any_of(result.history, is_blind))
+    return {};
+  return {
+      "the loads do not move the displacement that is to control them; choose another probe or direction in control"};
+}
+
 std::vector<std::string> stability_warnings(const Result& result) {
   if (!result.stability || result.status == contact::Status::unstable) return {};
   const finite::Stability& s = *result.stability;

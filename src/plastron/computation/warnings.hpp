@@ -18,6 +18,8 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem);
 /// Warns where the model of finite rotations has other numbers or no stable solution nearby, or where the shell would
 /// buckle.
 std::vector<std::string> linear_model_warnings(const Result& result);
+/// Returns a warning if the loads do not move the displacement that is to control them.
+std::vector<std::string> control_warnings(const Result& result);
 /// Returns a warning on snaps between states with finite rotations.
 std::vector<std::string> jump_warnings(const Result& result);
 /// Returns warnings on equilibria with finite rotations that are nearly critical, or stable only because of weak contact.

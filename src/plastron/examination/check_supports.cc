@@ -1,6 +1,8 @@
 // Checks the conditions that symmetry and the formulations require of the supports.
 #include <plastron/examination/checks.hpp>
 
+#include <plastron/assembly/deformed.hpp>
+
 #include <fmt/ranges.h>
 
 namespace plastron::examination {
@@ -23,6 +25,31 @@ void check_symmetry(Examined& examined) {
                             support.boundary, examined.place(points[i].x),
                             degrees_between((direction - *first).norm()));
       }
+  }
+}
+
+void check_directors(Examined& examined) {
+  constexpr double most = 0.1, opposite = -0.999;
+  if (examined.problem.shell.rotations == element::Rotations::small) return;
+  const auto points =
+      assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.shell.sections);
+  const auto rows =
+      assembly::node_supports(*examined.space, *examined.surface, points, examined.problem.shell.supports);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto director = assembly::prescribed_director(points[i].a3, rows[i]);
+    if (!director) continue;
+    if (std::abs(director->norm() - 1) > most)
+      return examined.add(
+          Severity::error,
+          "supports prescribe all of r at {}: the director a3 + r has the length {:.3g}, and with finite "
+          "rotations it must be 1; prescribe r = d - a3 with a unit vector d",
+          examined.place(points[i].x), director->norm());
+    if (director->normalized().dot(points[i].a3) < opposite)
+      return examined.add(
+          Severity::error,
+          "supports turn the director at {} by half a turn, and nothing says which way; let a rigid body "
+          "turn the edge in steps",
+          examined.place(points[i].x));
   }
 }
 

@@ -30,6 +30,7 @@ std::shared_ptr<const fem::Space> sample_mesh(const problem::Problem& problem) {
 void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
+    check_directors(examined);
     const ExaminedNodes nodes(examined);
     for (std::size_t k = 0; k < examined.problem.shell.obstacles.all.size(); ++k) {
       check_gap(examined, nodes, k);

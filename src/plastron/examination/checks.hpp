@@ -106,6 +106,8 @@ void check_lines(Examined& examined);
 void check_probes(Examined& examined);
 /// Checks that a symmetry edge is in one plane that the shell meets at a right angle. Throws assembly::SupportError.
 void check_symmetry(Examined& examined);
+/// Checks that supports of all of r prescribe directors of length 1, with finite rotations. Throws assembly::SupportError.
+void check_directors(Examined& examined);
 /// Checks that chart and supports satisfy the requirements of the formulation.
 void check_formulation(Examined& examined, const ExaminedNodes& nodes);
 /// Checks the initial gap against one obstacle, and that no support fixes the shell inside it.

@@ -80,16 +80,17 @@ void adjust_loads(const ControlledPoint& control, const contact::BoxProblem& box
   for (std::size_t i = 0; i < fixed.size(); ++i)
     if (fixed[i]) forces.owned()[i] = 0;
   const double rest = control.rest() - algebra::dot(control.row(), found.z);
-  double change = std::numeric_limits<double>::quiet_NaN();
-  if (factor.factorise(fixed, box.shift)) {
-    factor.solve(forces, response);
-    response.update_ghosts();
-    change = rest / algebra::dot(control.row(), response);
-  }
-  if (!std::isfinite(change)) {
-    step.box.status = contact::Status::no_equilibrium;
-    return;
-  }
+  step.box.status = contact::Status::no_equilibrium;
+  if (!factor.factorise(fixed, box.shift)) return;
+  factor.solve(forces, response);
+  response.update_ghosts();
+  constexpr double rounding = 1e-10;
+  const double moved = algebra::dot(control.row(), response);
+  step.is_control_blind = !(std::abs(moved) > rounding * std::sqrt(algebra::dot(control.row(), control.row())) *
+                                                  algebra::max_abs(response));
+  const double change = rest / moved;
+  if (step.is_control_blind || !std::isfinite(change)) return;
+  step.box.status = contact::Status::solved;
   step.load_change = change;
   algebra::axpy(change, response, step.box.z);
   step.box.z.update_ghosts();
@@ -134,8 +135,12 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   const algebra::Vector diagonal = matrix.diagonal();
   contact::BoxProblem box = increments(discrete, matrix);
   if (control) algebra::axpy(rho * control->rest(), control->row(), box.load);
+  std::optional<algebra::Matrix> geometric;
   box.apply = [&](const algebra::Vector& z, algebra::Vector& f) {
-    matrix.multiply(z, f);
+    if (geometric)
+      multiply_through_strains(discrete, *geometric, z, f);
+    else
+      matrix.multiply(z, f);
     for (std::size_t i = 0; box.shift > 0 && i < f.owned().size(); ++i)
       f.owned()[i] += box.shift * diagonal.owned()[i] * z.owned()[i];
   };
@@ -143,6 +148,11 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   const auto expected =
       start.zone.layout() ? assembly::likely_activity(coordinates, start.zone) : std::vector<contact::Activity>{};
   NewtonStep step{.box = contact::solve(box, expected, factor, settings, observer)};
+  if (step.status() == contact::Status::linear_solver_stalled) {
+    geometric.emplace(geometric_matrix(discrete, start.prestress, coordinates));
+    if (control) control->add(rho, *geometric);
+    step.box = contact::solve(box, expected, factor, settings, observer);
+  }
   while (has_no_minimiser(step.status()) && box.shift < largest_shift) {
     box.shift = box.shift == 0 ? least_shift : 4 * box.shift;
     step.box = contact::solve(box, expected, factor, settings, observer);

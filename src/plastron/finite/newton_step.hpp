@@ -23,6 +23,7 @@ struct NewtonStep {
   double largest_rotation = 0;      ///< largest |s| of the increment [rad]
   double largest_displacement = 0;  ///< largest |v| of the increment [m]
   double load_change = 0;           ///< change of the load factor under control
+  bool is_control_blind = false;    ///< the loads do not move the displacement that is to control them
   algebra::Vector increment{};      ///< (v, s), block 6
   StepStart next{};                 ///< start of the step from the end of this one
   /// Rotations above this limit are shortened, because longer steps can diverge [rad].

@@ -171,6 +171,22 @@ algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Pr
   });
 }
 
+void multiply_through_strains(const assembly::DiscreteShell& discrete, const algebra::Matrix& geometric,
+                              const algebra::Vector& z, algebra::Vector& f) {
+  const ShellOperator& shell = discrete.shell;
+  algebra::Vector y(z.layout(), 6);
+  discrete.coordinates.to_cartesian(z, y);
+  y.update_ghosts();
+  algebra::Vector forces = forces_of_stresses(
+      shell,
+      [&](std::size_t c) {
+        return shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y), discrete.geometry(c)));
+      },
+      [&](std::size_t c) { return discrete.geometry(c); });
+  geometric.multiply(z, f);
+  discrete.coordinates.add_transposed(forces, f);
+}
+
 void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                                 algebra::Matrix& matrix) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;

@@ -46,6 +46,12 @@ algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const 
 algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates);
 
+/// Computes f = K z for the tangent stiffness, its material part through strains. The product of the assembled matrix loses the
+/// bending stiffness of very thin shells in the rounding of the membrane stiffness. `geometric`: geometric_matrix(). The ghosts of z
+/// are current (collective).
+void multiply_through_strains(const assembly::DiscreteShell& discrete, const algebra::Matrix& geometric,
+                              const algebra::Vector& z, algebra::Vector& f);
+
 /// Adds the curvature of obstacles at touching nodes, -eta w (v + z s)' H (v + z s), H the Hessian of the distance. Edges that
 /// are sharper than half the thickness count as rounded by it (collective). Throws ObstacleError.
 void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,

@@ -215,10 +215,12 @@ Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& 
 
 StrainScale strain_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double size) {
   StrainScale sum;
+  // Strains of finite rotations are differences of products of places, which round whether the shell has moved or not.
+  const double place = discrete.has_finite_rotations() ? size : 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const assembly::NodalPoint& p = discrete.points[i];
     const Vector6 moved = node_values(y, i);
-    const double u = moved.head<3>().norm() + size * moved.tail<3>().norm(), f = p.young * p.thickness * u;
+    const double u = place + moved.head<3>().norm() + size * moved.tail<3>().norm(), f = p.young * p.thickness * u;
     sum.force += f;
     sum.squared_force += f * f;
     sum.moment += f * (p.phi.norm() + size);
