@@ -205,14 +205,11 @@ double largest_way(algebra::Vector before, const algebra::Vector& now) {
   return solution::largest_displacement(before);
 }
 
-/// Solves with finite rotations, by Newton steps from the state of the shell.
-Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
+/// Solves with finite rotations, by Newton steps from the state of the shell with the stresses and the zone of `start`.
+Found newton_solution(LevelRun& run, finite::StepStart start) {
   assembly::DiscreteShell& discrete = run.discrete();
   solution::NodalSolution nodal =
       solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, discrete.obstacle_block()));
-  // The stresses of an interpolated state are not used: rotations that do not fit leave a false stretch in it.
-  finite::StepStart start{.prestress = finite::no_prestress(discrete)};
-  if (zone) start.zone = *zone;
   finite::NewtonStep step;
   double before = std::numeric_limits<double>::infinity(), predicted = 0;
   bool lost_stiffness = false;
@@ -240,6 +237,66 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   if (held_inside_obstacle(discrete)) step.box.status = contact::Status::infeasible;
   if (start.zone.layout()) nodal = solution::nodal_solution(discrete, start.zone);
   return {std::move(step.box), std::move(nodal)};
+}
+
+/// Whether loads have a potential that finite::potential() computes.
+bool has_potential(const assembly::DiscreteShell& discrete) {
+  return discrete.follower_pressure.empty() && discrete.space().bodies.empty() && !discrete.state.control &&
+         discrete.shell.sections().most_layers() == 0 && assembly::pressed_obstacles(discrete).empty();
+}
+
+/// Descends from the state of the shell towards a local minimum of the potential: Newton steps with the stresses of the state and
+/// a stiffness to which a multiple of the diagonal is added until they lower it. Returns the start of the steps that finish, empty if a step
+/// failed. Needed where the shell snaps away from an obstacle.
+std::optional<finite::StepStart> descended(LevelRun& run) {
+  constexpr int most_steps = 200;
+  constexpr double near = 1e-2, first_shift = 1e-3, least_shift = 1e-6, largest_shift = 1e2;
+  assembly::DiscreteShell& discrete = run.discrete();
+  algebra::Vector zone(discrete.space().layout, discrete.obstacle_block());
+  const auto start_with = [&](double shift) {
+    return finite::StepStart{.prestress = finite::prestress(discrete, solution::nodal_solution(discrete, zone)),
+                             .zone = zone,
+                             .shift = shift};
+  };
+  double shift = 0;
+  for (int steps = 0; steps < most_steps && shift < largest_shift; ++steps) {
+    const finite::StepStart start = start_with(shift);
+    finite::NewtonStep step = run.newton_step(start);
+    if (step.status() != contact::Status::solved) return {};
+    const assembly::State before = discrete.state;
+    const double weight = 2 * finite::largest_reaction(discrete, step), merit = finite::potential(discrete, weight);
+    linearise(discrete, finite::next_state(discrete, start, step));
+    if (finite::potential(discrete, weight) < merit) {
+      zone = std::move(step.next.zone);
+      shift = step.shift / 4 < least_shift ? 0 : step.shift / 4;
+      const double whole = solution::largest_displacement(discrete.state.displacement);
+      if (shift == 0 && step.largest_displacement < near * whole) break;
+    } else {
+      linearise(discrete, before);
+      shift = std::max(first_shift, 4 * step.shift);
+    }
+  }
+  return start_with(0);
+}
+
+/// Solves with finite rotations; where Newton steps do not come to rest, descends from the state of the shell first.
+Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
+  assembly::DiscreteShell& discrete = run.discrete();
+  const assembly::State before = discrete.state;
+  // The stresses of an interpolated state are not used: rotations that do not fit leave a false stretch in it.
+  finite::StepStart start{.prestress = finite::no_prestress(discrete)};
+  if (zone) start.zone = *zone;
+  Found found = newton_solution(run, std::move(start));
+  if (found.z.status != contact::Status::no_equilibrium || !has_potential(discrete)) return found;
+  linearise(discrete, before);
+  auto near = descended(run);
+  if (!near) {
+    found.nodal = solution::nodal_solution(discrete, found.nodal.touching);
+    return found;
+  }
+  Found lower = newton_solution(run, std::move(*near));
+  run.has_jumped = run.has_jumped || lower.z.status == contact::Status::solved;
+  return lower;
 }
 
 /// Solves the contact problem of the model, from the state of the shell and an expected zone; null if there is none.

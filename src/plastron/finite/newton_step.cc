@@ -135,6 +135,7 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   const algebra::Vector diagonal = matrix.diagonal();
   contact::BoxProblem box = increments(discrete, matrix);
   if (control) algebra::axpy(rho * control->rest(), control->row(), box.load);
+  box.shift = start.shift;
   std::optional<algebra::Matrix> geometric;
   box.apply = [&](const algebra::Vector& z, algebra::Vector& f) {
     if (geometric)
@@ -188,6 +189,23 @@ StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonSte
     for (double& component : force) component = algebra::sum_over_ranks(component, comm);
   totals.contact_area = algebra::sum_over_ranks(totals.contact_area, comm);
   return totals;
+}
+
+double potential(const assembly::DiscreteShell& discrete, double weight) {
+  const algebra::Vector& y = discrete.state.displacement;
+  double depth = 0;
+  for (const ContactRow& row : discrete.coordinates.rows)
+    if (row.binds)
+      depth += std::max(0.0, -discrete.coordinates.gaps[static_cast<std::size_t>(row.obstacle)][row.node].initial);
+  return discrete.energies(y).total() - algebra::dot(discrete.load, y) +
+         weight * algebra::sum_over_ranks(depth, discrete.space().layout->comm);
+}
+
+double largest_reaction(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
+  double largest = 0;
+  for_reactions(discrete.coordinates, step.box,
+                [&](const ContactRow& /*row*/, double force) { largest = std::max(largest, std::abs(force)); });
+  return algebra::max_over_ranks(largest, discrete.space().layout->comm);
 }
 
 ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,

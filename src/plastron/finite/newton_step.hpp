@@ -12,6 +12,7 @@ namespace plastron::finite {
 struct StepStart {
   Prestress prestress{};
   algebra::Vector zone{};  ///< a value for each node and obstacle, above one half where contact is likely
+  double shift = 0;        ///< the first shift that is tried
 };
 
 /// Result of a step.
@@ -63,6 +64,12 @@ struct ProblemAtSolution {
 };
 ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                              const algebra::Matrix& matrix);
+
+/// Returns the potential of dead loads and of the shell at its state, with `weight` [N] times the depth of nodes in obstacles: with
+/// a weight above all reactions its minima are those of the contact problem (collective) [J].
+double potential(const assembly::DiscreteShell& discrete, double weight);
+/// Returns the largest force of an obstacle on a node after a step (collective) [N].
+double largest_reaction(const assembly::DiscreteShell& discrete, const NewtonStep& step);
 
 /// Returns the state after a step, which is shortened if it is too long. `next.prestress` is shortened alike (collective).
 assembly::State next_state(const assembly::DiscreteShell& discrete, const StepStart& start, NewtonStep& step);
