@@ -235,7 +235,7 @@ const std::vector<Limit>& limits() {
       {"buckling",
        {"snap-through", "stability"},
        "With small rotations the equilibrium is unique: no buckling, no snap-through. With finite rotations paths "
-       "around limit points of loads are left out.",
+       "that turn back in a controlled displacement are left out.",
        "`linearity.status`, `unstable` beyond the buckling load; `linearity.buckling`, the membrane forces over the "
        "forces under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
        "computes buckling loads and their shapes; with finite rotations `stability.margin`",

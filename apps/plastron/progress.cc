@@ -23,6 +23,7 @@ Progress::Progress(const problem::Problem& problem, bool quiet)
       status_(quiet),
       meshes_(problem.discretisation.refinements + 1),
       number_of_parts_(static_cast<int>(problem::instants(problem).size())),
+      chooses_parts_(std::ranges::any_of(problem.steps, &problem::Step::chooses_parts)),
       meshes_left_(meshes_) {
   if (!quiet_) print_header(problem);
 }
@@ -67,6 +68,7 @@ computation::Observer Progress::observer() {
 }
 
 std::string Progress::place(int level) const {
+  if (parts_ && chooses_parts_) return fmt::format("part {}", parts_->number_done() + 2);
   if (parts_) return fmt::format("part {} of {}", parts_->number_done() + 2, number_of_parts_);
   if (!is_by_accuracy_) return fmt::format("level {} of {}", level, meshes_ - 1);
   return most_missed_ > 1 ? fmt::format("mesh {}, errors up to {:.2g} times their tolerances", level, most_missed_)

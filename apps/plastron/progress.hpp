@@ -35,6 +35,7 @@ class Progress {
   bool has_obstacle_, quiet_, is_by_accuracy_;
   StatusLine status_;
   int meshes_, number_of_parts_, last_level_ = -1;  ///< meshes_ is not known if an accuracy is requested
+  bool chooses_parts_;                              ///< number_of_parts_ is not known
   double most_missed_ = 0;  ///< largest ratio of estimated error to tolerance, of all goals on the last mesh
   MeshesLeft meshes_left_;
   std::optional<PartsLeft> parts_{};  ///< parts of the steps, once the meshes are finished

@@ -371,7 +371,7 @@ TEST(LoadsThatFollowADisplacement, MustMoveIt) {
   p.steps[0].control->direction = {1, 0, 0};
   const Result r = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(r.status, contact::Status::no_equilibrium);
-  EXPECT_THAT(r.warnings, Contains(HasSubstr("the loads do not move the displacement")));
+  EXPECT_THAT(r.warnings, Contains(HasSubstr("the loads do not move the controlled displacement")));
 }
 
 // Very thin shells need products through strains: the assembled matrix rounds their bending stiffness away. The number of Newton

@@ -49,6 +49,7 @@ TEST(Parts, AreANumberOrChosen) {
   EXPECT_EQ(problem_with("[[step]]\nparts = 3\n").steps[0].parts, 3);
   EXPECT_FALSE(problem_with("[[step]]\nparts = 3\n").steps[0].chooses_parts);
   EXPECT_TRUE(problem_with("[[step]]\nparts = \"auto\"\n").steps[0].chooses_parts);
+  EXPECT_EQ(problem_with("[[step]]\nparts = 3\n[[step]]\nparts = \"auto\"\n").steps[1].parts, 1);
   EXPECT_THROW(problem_with("[[step]]\nparts = \"many\"\n"), CaseErrors);
   EXPECT_THROW(problem_with("[[step]]\nparts = 0.5\n"), CaseErrors);
 }

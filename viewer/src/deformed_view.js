@@ -9,7 +9,7 @@ export class DeformedView extends View {
   constructor(container, scene) {
     super(container, scene);
     this.lines = linesOnSurface(scene);
-    this.nearest = scene.supports.map((line) => Array.from({ length: line.points.length / 3 }, (_, i) => nearest(scene.position, line.points.subarray(3 * i, 3 * i + 3))));
+    this.nearest = (scene.frames.length > 1 ? scene.supports : []).map((line) => Array.from({ length: line.points.length / 3 }, (_, i) => nearest(scene.position, line.points.subarray(3 * i, 3 * i + 3))));
     this.frame = scene.frames.at(-1);
     this.addLayers();
     this.setScale(0);

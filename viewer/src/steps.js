@@ -33,5 +33,9 @@ export function stepSlider(frames, action) {
     set(Number(slider.value));
   });
   const node = element('div', { class: 'slider' }, element('span', {}, 'Steps'), slider, time, play);
-  return { node, reset: () => set(frames.length - 1) };
+  const reset = () => {
+    stop();
+    set(frames.length - 1);
+  };
+  return { node, reset };
 }

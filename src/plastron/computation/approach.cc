@@ -27,8 +27,7 @@ bool solve_between(Run& run, const problem::Instant& instant, const LevelTask& t
   judge_certificate(result);
   if (result.status == contact::Status::solved) return true;
   if (run.missed_between.empty())
-    run.missed_between =
-        fmt::format("at time {:g}, on the way of the moving obstacles: {}", instant.time, status_text(result));
+    run.missed_between = fmt::format("at time {:g}, on the way: {}", instant.time, status_text(result));
   run.warn({run.missed_between});
   return result.status == contact::Status::inaccurate;
 }
@@ -41,7 +40,7 @@ bool choose_parts_between(Run& run, const problem::Instant& from, const problem:
     LevelResult level = solve_level(task, std::move(discrete), run.observer);
     const Attempt attempt = judged(level.record, part);
     run.result.status = level.record.status;
-    if (attempt.is_accepted)
+    if (attempt.is_accepted || (!attempt.may_go_on && level.record.status != contact::Status::interrupted))
       run.take(std::move(level));
     else
       run.result.solution = std::move(level.solution);

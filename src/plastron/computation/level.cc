@@ -135,6 +135,7 @@ class LevelRun {
     return found;
   }
 
+  bool is_stopped() const { return wants_to_stop(observer_, discrete_->space().layout->comm); }
   void tell(std::string_view phase) const {
     if (observer_.phase) observer_.phase(task_.number, phase);
   }
@@ -239,6 +240,18 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
   return {std::move(step.box), std::move(nodal)};
 }
 
+/// Whether prescribed components of u and r have their values.
+bool supports_stand(const assembly::DiscreteShell& discrete) {
+  constexpr double rest_part = 1e-12;
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const std::vector<char> prescribed = coordinates.prescribed();
+  double rest = 0;
+  for (std::size_t i = 0; i < prescribed.size(); ++i)
+    if (prescribed[i]) rest = std::max(rest, std::abs(coordinates.lower.owned()[i]));
+  return algebra::max_over_ranks(rest, discrete.space().layout->comm) <=
+         rest_part * solution::largest_displacement(discrete.state.displacement);
+}
+
 /// Whether loads have a potential that finite::potential() computes.
 bool has_potential(const assembly::DiscreteShell& discrete) {
   return discrete.follower_pressure.empty() && discrete.space().bodies.empty() && !discrete.state.control &&
@@ -258,15 +271,18 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
                              .zone = zone,
                              .shift = shift};
   };
-  double shift = 0;
+  double shift = 0, weight = algebra::max_abs(discrete.load);
+  bool has_descended = false;
   for (int steps = 0; steps < most_steps && shift < largest_shift; ++steps) {
     const finite::StepStart start = start_with(shift);
     finite::NewtonStep step = run.newton_step(start);
     if (step.status() != contact::Status::solved) return {};
     const assembly::State before = discrete.state;
-    const double weight = 2 * finite::largest_reaction(discrete, step), merit = finite::potential(discrete, weight);
+    weight = std::max(weight, 2 * finite::largest_reaction(discrete, step));
+    const double merit = finite::potential(discrete, weight);
     linearise(discrete, finite::next_state(discrete, start, step));
     if (finite::potential(discrete, weight) < merit) {
+      has_descended = true;
       zone = std::move(step.next.zone);
       shift = step.shift / 4 < least_shift ? 0 : step.shift / 4;
       const double whole = solution::largest_displacement(discrete.state.displacement);
@@ -276,6 +292,7 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
       shift = std::max(first_shift, 4 * step.shift);
     }
   }
+  if (!has_descended) return {};
   return start_with(0);
 }
 
@@ -289,8 +306,9 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   Found found = newton_solution(run, std::move(start));
   if (found.z.status != contact::Status::no_equilibrium || !has_potential(discrete)) return found;
   linearise(discrete, before);
-  auto near = descended(run);
+  auto near = supports_stand(discrete) ? descended(run) : std::nullopt;
   if (!near) {
+    if (run.is_stopped()) found.z.status = contact::Status::interrupted;
     found.nodal = solution::nodal_solution(discrete, found.nodal.touching);
     return found;
   }

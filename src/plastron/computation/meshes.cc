@@ -44,8 +44,12 @@ bool Meshes::solve_to_accuracy() {
   for (int i = 0; i < run_.problem.discretisation.refinements; ++i) sequence_.refine({});
   if (!solve_for_goals()) return false;
   if (run_.instants.size() == 1 || are_ahead_) return true;
-  if (!approach_last(run_)) return false;
+  const bool is_reached = approach_last(run_);
   instant_ = &run_.instants.back();
+  // The steps on this mesh then show where the way ends.
+  if (!is_reached)
+    return run_.problem.shell.rotations == element::Rotations::finite &&
+           run_.result.status != contact::Status::interrupted && run_.result.solution;
   cuts_.clear();
   marks_.assign(space().owned_cells, 0);
   run_.end_of_meshes = run_.problem.accuracy->max_seconds;  // the solution at the first instant can be the result

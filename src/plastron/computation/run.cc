@@ -41,8 +41,9 @@ bool Run::has_time_for(const problem::Instant& instant) {
   if (!problem.accuracy) return true;
   const double max_seconds = problem.accuracy->max_seconds;
   if (algebra::max_over_ranks(since_start.seconds(), comm) <= max_seconds) return true;
-  missed_accuracy += fmt::format("{}max_seconds = {:g} was over before time {:g}, and the result is that of time {:g}",
-                                 missed_accuracy.empty() ? "" : "; ", max_seconds, instant.time, at->time);
+  missed_accuracy += fmt::format("{}max_seconds = {:g} was over before time {:g}", missed_accuracy.empty() ? "" : "; ",
+                                 max_seconds, instant.time);
+  if (at) missed_accuracy += fmt::format(", and the result is that of time {:g}", at->time);
   return false;
 }
 

@@ -89,7 +89,7 @@ bool record_first(Run& run, Meshes& meshes) {
   const problem::Instant& first = run.instants.front();
   if (&meshes.instant() == &first) {
     run.record(first);
-    return true;
+    return run.result.status != contact::Status::no_equilibrium;
   }
   auto discrete = std::move(run.solution().discrete);
   if (!approach_from_start(run, discrete, first)) return false;

@@ -18,6 +18,12 @@ constexpr double usual_steps = 5;
 /// Returns the factor between the next part and the last one.
 double growth(int newton_steps) { return std::clamp(std::sqrt(usual_steps / std::max(newton_steps, 1)), 0.25, 2.0); }
 
+/// Whether a shorter part can have another status.
+bool may_be_too_long(contact::Status status) {
+  using enum contact::Status;
+  return status != interrupted && status != infeasible && status != not_finite && status != not_carried;
+}
+
 }  // namespace
 
 Attempt judged(const Level& level, double part) {
@@ -25,7 +31,7 @@ Attempt judged(const Level& level, double part) {
   const bool is_found = level.status == solved || level.status == inaccurate;
   const bool is_accepted = is_found && !(level.has_jumped && part > least_part_before_jump);
   return {.is_accepted = is_accepted,
-          .may_go_on = is_accepted || is_found || (part > least_part && level.status != interrupted),
+          .may_go_on = is_found || (part > least_part && may_be_too_long(level.status)),
           .newton_steps = level.linearisations};
 }
 
@@ -33,17 +39,17 @@ bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant&
   double done = 0, length = first_part;
   while (done < 1) {
     // What would remain for a very short last part is taken along.
-    double next = done + 1.25 * length >= 1 ? 1 : done + length;
+    const double longest = problem::Step::longest_chosen_part, rest = 1 - done;
+    double next = rest <= std::min(1.25 * length, longest) ? 1 : done + length;
     next = std::min(next, next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done));
+    if (run.is_interrupted() || !run.has_time_for(to)) return false;
     const Departure departure = run.departure(to, contact_trend(*run.solution().discrete, run.solution().nodal));
     for (;;) {
-      if (run.is_interrupted()) return false;
       const problem::Instant& instant = next == 1 ? to : run.keep(problem::between(from, to, next));
-      if (!run.has_time_for(instant)) return false;
       const Attempt attempt = solve(instant, departure, next - done);
       if (!attempt.may_go_on) return false;
       if (attempt.is_accepted) {
-        length = std::min((next - done) * growth(attempt.newton_steps), problem::Step::longest_chosen_part);
+        length = std::min((next - done) * growth(attempt.newton_steps), longest);
         break;
       }
       next = done + (next - done) / 2;

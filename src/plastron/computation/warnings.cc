@@ -208,28 +208,28 @@ std::vector<std::string> control_warnings(const Result& result) {
   const auto is_blind = [](const HistoryEntry& entry) { return entry.level.is_control_blind; };
   if (!std::ranges::any_of(result.levels, &Level::is_control_blind) && !std::ranges::any_of(result.history, is_blind))
     return {};
-  return {
-      "the loads do not move the displacement that is to control them; choose another probe or direction in control"};
+  return {"the loads do not move the controlled displacement; choose another probe or direction in `control`"};
 }
 
 std::vector<std::string> stability_warnings(const Result& result) {
   if (!result.stability || result.status == contact::Status::unstable) return {};
   const finite::Stability& s = *result.stability;
+  std::vector<std::string> warnings;
   if (s.margin_under_loads && !(*s.margin_under_loads > 0))
-    return {
+    warnings.emplace_back(
         "the equilibrium holds only as long as the displacement is controlled: under these loads alone the shell snaps "
-        "away (margin_under_loads)"};
+        "away (margin_under_loads)");
   if (s.margin < near_critical)
-    return {fmt::format(
+    warnings.push_back(fmt::format(
         "the equilibrium is nearly critical: a motion has {:.2g} of the stiffness that the shell has without "
         "stresses (softest_motion in solution.vtu); a little more load, or an imperfection, may make it snap",
-        s.margin)};
-  if (s.weak_nodes > 0 && !(s.margin_without_weak_contact > 0))
-    return {
+        s.margin));
+  else if (s.weak_nodes > 0 && !(s.margin_without_weak_contact > 0))
+    warnings.push_back(
         fmt::format("weak contact holds the equilibrium: without the {} nodes whose pressure is below {:g} of the "
                     "largest, some motion would lower the energy; a small disturbance may make the shell snap away",
-                    s.weak_nodes, finite::Stability::weak_part)};
-  return {};
+                    s.weak_nodes, finite::Stability::weak_part));
+  return warnings;
 }
 
 std::vector<std::string> strain_warnings(const Result& result) {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -55,9 +56,13 @@ struct Reading {
   /// Notes a file that the case names; returns its path.
   std::filesystem::path file(const std::string& name) { return files.emplace_back(name, folder / name).second; }
   void report(Place place, std::string what, std::string allowed = "", std::string advice = "") {
+    Mistake mistake = source.mistake(place, std::move(what), std::move(allowed), std::move(advice));
+    const auto is_same = [&](const Mistake& other) {
+      return other.line == mistake.line && other.column == mistake.column && other.what == mistake.what;
+    };
+    if (std::ranges::any_of(mistakes, is_same)) return;  // checks read tables once more
     more_mistakes = mistakes.size() >= most_mistakes;
-    if (!more_mistakes)
-      mistakes.push_back(source.mistake(place, std::move(what), std::move(allowed), std::move(advice)));
+    if (!more_mistakes) mistakes.push_back(std::move(mistake));
   }
   void report(const toml::value& value, std::string what, std::string allowed = "", std::string advice = "") {
     report(source.value(value), std::move(what), std::move(allowed), std::move(advice));

@@ -200,7 +200,7 @@ void check_rotations(Table& root, const problem::Problem& problem) {
   if (problem.shell.rotations == Rotations::small && !problem.shell.is_objective) return;
   root.in_table("shell", [&](Table& shell) {
     if (problem.shell.rotations == Rotations::small)
-      return shell.report("objective", "small rotations are small in any case: objective is for finite ones", "",
+      return shell.report("objective", "objective has no effect with small rotations", "",
                           "write rotations = \"finite\", or remove it");
     const Formulation formulation = problem.shell.tangency.formulation;
     if (formulation != Formulation::tangent)
@@ -208,11 +208,22 @@ void check_rotations(Table& root, const problem::Problem& problem) {
                    fmt::format("the {} formulation has no finite rotations", element::to_string(formulation)), "",
                    "write formulation = \"tangent\", or rotations = \"small\"");
     const double part = largest_part_of_motions(problem);
-    for (const fem::RigidBody& body : problem.rigid_bodies)
+    for (const fem::RigidBody& body : problem.rigid_bodies) {
+      const auto given =
+          std::count_if(body.fixed.begin() + 3, body.fixed.end(), [](const auto& v) { return v.has_value(); });
+      double largest_factor = problem.steps.empty() ? 1 : 0;
+      for (const problem::Step& step : problem.steps)
+        largest_factor = std::max(largest_factor, std::abs(step.support_factor));
+      if (given < 3 && largest_factor * body.prescribed_rotation().norm() >= 2 * std::numbers::pi)
+        shell.report(
+            "rotations",
+            fmt::format("the rigid body \"{}\" is to turn by a whole turn, and a part of theta is free", body.name), "",
+            "fix all of theta");
       if (part * body.prescribed_rotation().norm() >= std::numbers::pi)
         shell.report("rotations",
                      fmt::format("the rigid body \"{}\" is to turn by half a turn or more at once", body.name),
                      "less than pi in each part of a step", "write a [[step]] with parts = 8");
+    }
     if (problem.shell.obstacles.are_linear)
       shell.report("rotations",
                    "with finite rotations gaps are those of the deformed shell, and [contact] wants them linearised",

@@ -73,11 +73,13 @@ void read_control(Table& table, const problem::Problem& problem, problem::Step& 
   }
 }
 
-/// Whether the case has loads. Layers may have initial strains, which are loads.
+/// Whether the case has loads. Initial strains of layers are loads.
 bool has_loads(const problem::Problem& problem) {
   const assembly::Loads& loads = problem.shell.loads;
   const assembly::CrossSections& sections = problem.shell.sections;
-  const auto is_layered = [](const assembly::CrossSection& section) { return section.material.laminate() != nullptr; };
+  const auto is_layered = [](const assembly::CrossSection& section) {
+    return section.material.laminate() && section.material.laminate()->has_initial_strains();
+  };
   const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
   return !loads.on_areas.empty() || !loads.on_edges.empty() || !loads.gravity.isZero(0) ||
          is_layered(sections.common) ||
@@ -202,11 +204,12 @@ void read_steps(Table& root, problem::Problem& problem) {
   root.in_tables("step", [&](Table& table) {
     step.name = read_step_name(table, problem);
     if (table.has("loads")) step.load_factor = table.number("loads").value_or(1);
-    table.effective["loads"] = step.load_factor;
+    if (!table.has("control")) table.effective["loads"] = step.load_factor;
     if (table.has("supports")) step.support_factor = table.number("supports").value_or(1);
     table.effective["supports"] = step.support_factor;
     read_control(table, problem, step);
     step.chooses_parts = table.has("parts") && table.value("parts")->is_string();
+    step.parts = 1;
     if (step.chooses_parts)
       table.text("parts");
     else

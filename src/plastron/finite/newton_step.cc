@@ -194,9 +194,11 @@ StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonSte
 double potential(const assembly::DiscreteShell& discrete, double weight) {
   const algebra::Vector& y = discrete.state.displacement;
   double depth = 0;
-  for (const ContactRow& row : discrete.coordinates.rows)
+  for (const ContactRow& row : discrete.coordinates.rows) {
+    const auto k = static_cast<std::size_t>(row.obstacle);
     if (row.binds)
-      depth += std::max(0.0, -discrete.coordinates.gaps[static_cast<std::size_t>(row.obstacle)][row.node].initial);
+      depth += std::max(0.0, discrete.state.lift(row.node, k) - discrete.coordinates.gaps[k][row.node].initial);
+  }
   return discrete.energies(y).total() - algebra::dot(discrete.load, y) +
          weight * algebra::sum_over_ranks(depth, discrete.space().layout->comm);
 }

@@ -23,7 +23,7 @@ inline Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& turn) {
 
 /// Returns the vector of a rotation that is nearest to another one; it can be longer than pi [rad].
 inline Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& turn, const Eigen::Vector3d& near) {
-  constexpr double whole_turn = 2 * std::numbers::pi, no_turn = 1e-12;
+  constexpr double whole_turn = 2 * std::numbers::pi, no_turn = 1e-8;
   const Eigen::AngleAxisd least(turn);
   const Eigen::Vector3d axis =
       least.angle() > no_turn || near.isZero(0) ? least.axis() : Eigen::Vector3d(near.normalized());

@@ -394,7 +394,7 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
        [](const HistoryEntry& h) {
          return h.stability ? number(h.stability->margin_without_weak_contact) : Json(nullptr);
        }},
-      {"margin_under_loads", "1", "stability/margin_under_loads at this instant",
+      {"margin_under_loads", "1", "stability/margin_under_loads at this instant; null without control",
        [](const HistoryEntry& h) {
          return h.stability && h.stability->margin_under_loads ? number(*h.stability->margin_under_loads)
                                                                : Json(nullptr);

@@ -77,7 +77,7 @@ Plot contact_history(const Json& history) {
 
 /// Whether the loads follow a displacement in the end.
 bool has_control(const Json& history) {
-  return !history.empty() && !history.back().at("controlled_displacement").is_null();
+  return !history.empty() && !history.back().value("controlled_displacement", Json(nullptr)).is_null();
 }
 
 /// Returns the factor of the loads over the displacement that they follow.
