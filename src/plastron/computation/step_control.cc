@@ -3,7 +3,6 @@
 #include <plastron/computation/passage.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace plastron::computation {
 
@@ -13,10 +12,10 @@ constexpr double first_part = 0.125;
 /// Parts of a step that are not divided further: where there is no equilibrium, and where the shell jumps.
 constexpr double least_part = 0x1p-10, least_part_before_jump = 0x1p-6;
 /// Number of Newton steps after which the next part is as long as the last one.
-constexpr double usual_steps = 5;
+constexpr double usual_steps = 7;
 
 /// Returns the factor between the next part and the last one.
-double growth(int newton_steps) { return std::clamp(std::sqrt(usual_steps / std::max(newton_steps, 1)), 0.25, 2.0); }
+double growth(int newton_steps) { return std::clamp(usual_steps / std::max(newton_steps, 1), 0.25, 2.0); }
 
 /// Whether a shorter part can have another status.
 bool may_be_too_long(contact::Status status) {
