@@ -350,6 +350,7 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
     if (rank != 0 || surface.rows.empty()) return Json(nullptr);
     const auto obstacles = drawn_obstacles(discrete.obstacles, extent);
     std::vector<std::size_t> drawn;
+    drawn.reserve(obstacles.size());
     for (const DrawnObstacle& obstacle : obstacles) drawn.push_back(obstacle.number);
     return Json{{"shape", space.shape() == mesh::Shape::triangle ? "triangle" : "quadrilateral"},
                 {"subdivisions", surface.cells.subdivisions},
