@@ -60,7 +60,7 @@ std::string text_of(const Section& section, const Key& key) {
   };
   add("value", config::description(key.kind));
   add("unit", key.unit);
-  add("allowed", key.words.empty() ? key.range.text(key.name) : config::joined(key.words));
+  add("allowed", config::allowed_values(key));
   add("default", key.required ? "none; required" : key.fallback);
   add("written", written(key));
   add("section", section.path.empty() ? section.header : fmt::format("{} ({})", section.header, section.path));

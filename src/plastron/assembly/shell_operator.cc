@@ -65,41 +65,29 @@ CellGeometry ShellOperator::geometry(std::size_t cell) const {
     points.reserve(count);
     for (std::size_t t = 0; t < count; ++t) points.push_back(packs_.sampling_point(s, cell, t));
   }
-  if (reference_.layout()) take_from_reference(cell, at);
+  if (reference_.layout())
+    change_points(cell, gather(cell, reference_), at,
+                  [](auto& point, const LocalField<double>& v) { shell::replace(point, v); });
   return at;
-}
-
-void ShellOperator::take_from_reference(std::size_t cell, CellGeometry& at) const {
-  const element::CellField nodal = gather(cell, reference_);
-  const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), nodal);
-  for (std::size_t q = 0; q < at.frames.size(); ++q)
-    at.frames[q] = shell::replaced(at.frames[q], rows.at(static_cast<Eigen::Index>(q)));
-  for (std::size_t s = 0; s < at.samplings.size(); ++s) {
-    const element::FieldRows sampled =
-        interpolation_.fields(cell, tables_.samplings[s].basis, sampling_bases(s, cell), nodal);
-    for (std::size_t t = 0; t < at.samplings[s].size(); ++t) {
-      const LocalField<double> v = sampled.at(static_cast<Eigen::Index>(t));
-      at.samplings[s][t] = {.a_cov = v.du, .a3 = v.r};
-    }
-  }
 }
 
 CellGeometry ShellOperator::geometry(std::size_t cell, const element::CellField& moved) const {
   CellGeometry at = geometry(cell);
-  const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), moved);
-  for (std::size_t q = 0; q < at.frames.size(); ++q)
-    at.frames[q] = shell::deformed(at.frames[q], rows.at(static_cast<Eigen::Index>(q)));
+  change_points(cell, moved, at, [](auto& point, const LocalField<double>& v) { shell::deform(point, v); });
+  return at;
+}
+
+template <class Change>
+void ShellOperator::change_points(std::size_t cell, const element::CellField& field, CellGeometry& at,
+                                  const Change& change) const {
+  const element::FieldRows rows = interpolation_.fields(cell, tables_.quadrature, quadrature_bases(cell), field);
+  for (std::size_t q = 0; q < at.frames.size(); ++q) change(at.frames[q], rows.at(static_cast<Eigen::Index>(q)));
   for (std::size_t s = 0; s < at.samplings.size(); ++s) {
     const element::FieldRows sampled =
-        interpolation_.fields(cell, tables_.samplings[s].basis, sampling_bases(s, cell), moved);
-    for (std::size_t t = 0; t < at.samplings[s].size(); ++t) {
-      const LocalField<double> v = sampled.at(static_cast<Eigen::Index>(t));
-      SamplingPoint& point = at.samplings[s][t];
-      for (std::size_t a = 0; a < 2; ++a) point.a_cov[a] += v.du[a];
-      point.a3 += v.r;
-    }
+        interpolation_.fields(cell, tables_.samplings[s].basis, sampling_bases(s, cell), field);
+    for (std::size_t t = 0; t < at.samplings[s].size(); ++t)
+      change(at.samplings[s][t], sampled.at(static_cast<Eigen::Index>(t)));
   }
-  return at;
 }
 
 void ShellOperator::assert_is_field([[maybe_unused]] const algebra::Vector& y,

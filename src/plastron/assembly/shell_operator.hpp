@@ -156,7 +156,9 @@ class ShellOperator {
   SampledStrain sampled_strains(std::size_t sampling, std::size_t cell, const element::CellField& field,
                                 const CellGeometry& at) const;
 
-  void take_from_reference(std::size_t cell, CellGeometry& at) const;
+  /// Calls change(point, field there) for all points of the geometry.
+  template <class Change>
+  void change_points(std::size_t cell, const element::CellField& field, CellGeometry& at, const Change& change) const;
 
   std::shared_ptr<const fem::Space> space_;
   std::shared_ptr<const fem::Surface> surface_;

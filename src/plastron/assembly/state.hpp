@@ -18,7 +18,7 @@ inline Vector6 node_values(const algebra::Vector& y, std::size_t node) {
 }
 
 /// The factor of the loads is sought with which u . direction has this value at a point of Omega.
-struct LoadControl {
+struct Control {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   double displacement = 0;  ///< [m]
@@ -27,12 +27,12 @@ struct LoadControl {
 struct State {
   /// (u, r) of local nodes, six values for each node, with current ghosts. Without a layout the shell is undeformed.
   algebra::Vector displacement{};
-  double time = 0;                       ///< time of moving obstacles, see obstacle::Obstacle::standing()
-  double load_factor = 1;                ///< factor of the given loads; under control that of the present state
-  std::optional<LoadControl> control{};  ///< with finite rotations
-  double support_factor = 1;             ///< factor of the prescribed components of supports and rigid bodies
-  std::vector<double> force_factors{};   ///< factors of the forces that press obstacles; empty: 1
-  std::vector<double> positions{};       ///< positions of pressed obstacles along their forces; empty: 0 [m]
+  double time = 0;                      ///< time of moving obstacles, see obstacle::Obstacle::standing()
+  double load_factor = 1;               ///< factor of the given loads; under control that of the present state
+  std::optional<Control> control{};     ///< with finite rotations
+  double support_factor = 1;            ///< factor of the prescribed components of supports and rigid bodies
+  std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
+  std::vector<double> positions{};      ///< positions of pressed obstacles along their forces; empty: 0 [m]
   /// Lower limits of the gaps at local nodes in place of 0, by obstacle, with current ghosts [m]. They keep the shell
   /// out of the obstacles also between its nodes. Without a layout there are no such limits.
   algebra::Vector lifts{};

@@ -14,6 +14,13 @@ namespace plastron::computation {
 
 namespace {
 
+/// Warns that an instant on the way has no solution, or one that misses a limit.
+void tell_missed(Run& run, const problem::Instant& instant) {
+  if (run.missed_between.empty())
+    run.missed_between = fmt::format("on the way to time {:g}: {}", instant.time, status_text(run.result));
+  run.warn({run.missed_between});
+}
+
 /// Solves an intermediate instant whose results are not requested.
 bool solve_between(Run& run, const problem::Instant& instant, const LevelTask& task,
                    std::unique_ptr<assembly::DiscreteShell> discrete) {
@@ -26,15 +33,21 @@ bool solve_between(Run& run, const problem::Instant& instant, const LevelTask& t
   run.before.reset();
   judge_certificate(result);
   if (result.status == contact::Status::solved) return true;
-  if (run.missed_between.empty())
-    run.missed_between = fmt::format("at time {:g}, on the way: {}", instant.time, status_text(result));
-  run.warn({run.missed_between});
+  tell_missed(run, instant);
   return result.status == contact::Status::inaccurate;
+}
+
+/// The same, from the solution at hand.
+bool solve_between(Run& run, const problem::Instant& instant) {
+  LevelTask task = run.task(run.last_level());
+  auto discrete =
+      run.relinearised(run.continued_at(instant), contact_trend(*run.solution().discrete, run.solution().nodal), task);
+  return solve_between(run, instant, task, std::move(discrete));
 }
 
 /// Goes to an instant in parts that are chosen, without results.
 bool choose_parts_between(Run& run, const problem::Instant& from, const problem::Instant& to) {
-  return go_in_parts(run, from, to, [&](const problem::Instant& instant, const Departure& departure, double part) {
+  const auto solve = [&](const problem::Instant& instant, const Departure& departure, double part) {
     LevelTask task = run.task(run.last_level());
     auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
     LevelResult level = solve_level(task, std::move(discrete), run.observer);
@@ -45,15 +58,12 @@ bool choose_parts_between(Run& run, const problem::Instant& from, const problem:
     else
       run.result.solution = std::move(level.solution);
     return attempt;
-  });
-}
-
-/// The same, from the solution at hand.
-bool solve_between(Run& run, const problem::Instant& instant) {
-  LevelTask task = run.task(run.last_level());
-  auto discrete =
-      run.relinearised(run.continued_at(instant), contact_trend(*run.solution().discrete, run.solution().nodal), task);
-  return solve_between(run, instant, task, std::move(discrete));
+  };
+  if (go_in_parts(run, from, to, solve)) return true;
+  using enum contact::Status;
+  const contact::Status status = run.result.status;
+  if (status != interrupted && status != solved && status != inaccurate) tell_missed(run, to);
+  return false;
 }
 
 }  // namespace

@@ -1,28 +1,14 @@
 // A discrete shell on one mesh at one instant: assemble, solve the contact problem, repeat the linearisation where
 // obstacles are curved, certify.
 #pragma once
+#include <plastron/computation/level_task.hpp>
 #include <plastron/computation/result.hpp>
-#include <plastron/contact/settings.hpp>
-#include <plastron/estimation/functionals.hpp>
-#include <plastron/problem/problem.hpp>
 
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace plastron::computation {
-
-struct LevelTask {
-  int number = 0;
-  contact::Settings settings{};
-  problem::Linearisation linearisation{};
-  bool admissible = false;                ///< see Problem
-  std::optional<algebra::Vector> zone{};  ///< expected contact zone (contact_forecast.hpp); empty at first
-  /// Goals whose errors are estimated, together with the solution's error.
-  std::optional<std::vector<estimation::Goal>> goals{};
-  std::vector<estimation::Goal> valued{};  ///< goals of which only values are computed
-  Seconds seconds{};                       ///< time spent on the mesh and on `discrete`
-};
 
 struct LevelResult {
   Level record;

@@ -75,7 +75,7 @@ assembly::State Run::state_at(const problem::Instant& instant) const {
   if (!instant.control) return state;
   const auto probe = std::ranges::find(before_step_, instant.control->probe, &ProbeValue::name);
   const double start = probe == before_step_.end() ? 0 : instant.control->direction.dot(probe->values.u);
-  state.control = problem::load_control(problem, instant, start);
+  state.control = problem::control_of(problem, instant, start);
   state.load_factor = result.solution && result.solution->discrete ? result.solution->discrete->state.load_factor : 0;
   return state;
 }

@@ -37,7 +37,7 @@ Attempt judged(const Level& level, double part) {
 bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant& to, const Solve& solve) {
   double done = 0, length = first_part;
   while (done < 1) {
-    // What would remain for a very short last part is taken along.
+    // A short rest joins the last part.
     const double longest = problem::Step::longest_chosen_part, rest = 1 - done;
     double next = rest <= std::min(1.25 * length, longest) ? 1 : done + length;
     next = std::min(next, next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done));

@@ -47,7 +47,7 @@ FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const Mes
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
   const problem::Instant last = problem::instants(problem).back();
   solution.state.force_factors = last.force_factors;
-  solution.state.control = problem::load_control(problem, last, 0);
+  solution.state.control = problem::control_of(problem, last, 0);
   Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem.shell, std::move(solution.state)),
                  .nodal = std::move(solution.nodal)};
   std::vector<double> ways;

@@ -208,7 +208,9 @@ std::vector<std::string> control_warnings(const Result& result) {
   const auto is_blind = [](const HistoryEntry& entry) { return entry.level.is_control_blind; };
   if (!std::ranges::any_of(result.levels, &Level::is_control_blind) && !std::ranges::any_of(result.history, is_blind))
     return {};
-  return {"the loads do not move the controlled displacement; choose another probe or direction in `control`"};
+  return {
+      "the loads do not move the controlled displacement, or a support or an obstacle holds it; choose another probe "
+      "or direction in `control`"};
 }
 
 std::vector<std::string> stability_warnings(const Result& result) {

@@ -72,11 +72,7 @@ The coarsest mesh of a rectangle has at most a million cells.
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-std::string allowed(const Key& key) {
-  if (key.words.empty()) return code(key.range.text(key.name));
-  return key.kind == Kind::integer_or_word ? code(key.range.text(key.name)) + ", " + joined(key.words)
-                                           : joined(key.words);
-}
+std::string allowed(const Key& key) { return key.words.empty() ? code(allowed_values(key)) : allowed_values(key); }
 
 std::string fallback(const Key& key) { return key.required ? "required" : code(key.fallback); }
 

@@ -54,4 +54,9 @@ std::string description(Kind kind) {
   return descriptions.at(kind);
 }
 
+std::string allowed_values(const Key& key) {
+  if (key.kind == Kind::integer_or_word) return key.range.text(key.name) + ", or " + joined(key.words);
+  return key.words.empty() ? key.range.text(key.name) : joined(key.words);
+}
+
 }  // namespace plastron::config

@@ -100,6 +100,8 @@ const Section& section(const std::string& path);
 std::string description(Kind kind);
 /// Returns the words as a list: "a, b, c".
 std::string joined(const std::vector<std::string>& words);
+/// Returns the allowed values of a key as messages and the manual show them: its range, its words, or both.
+std::string allowed_values(const Key& key);
 
 /// Returns the manual's reference of the case file as Markdown; docs/case-file.md is this text.
 std::string describe_case_format();

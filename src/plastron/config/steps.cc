@@ -186,7 +186,7 @@ void check_control(Table& root, const problem::Problem& problem) {
       table.report("control", "control needs finite rotations: the linear model has no limit points", "",
                    "write rotations = \"finite\" in [shell]");
     if (!has_loads(problem))
-      table.report("control", "control seeks the factor of the loads, and there are none", "", "add a [[load]]");
+      table.report("control", "control seeks the factor of the loads, and the case has no loads", "", "add a [[load]]");
     if (problem.accuracy)
       table.report("control", "[accuracy] does not work with control", "", "write refinements in [mesh] in its place");
     table.in_table("control", [&](Table& control) {

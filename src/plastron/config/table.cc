@@ -170,7 +170,7 @@ std::optional<assembly::VectorExpression> Table::field_vector(const std::string&
 bool Table::check_word(const Key& key, const Item& item, const std::string& word) const {
   if (key.words.empty() || std::ranges::find(key.words, word) != key.words.end()) return true;
   reading_->report(item.value, fmt::format("unknown word \"{}\" for {}", geometry::shortened(word), item.name),
-                   joined(key.words), did_you_mean(word, key.words));
+                   allowed_values(key), did_you_mean(word, key.words));
   return false;
 }
 

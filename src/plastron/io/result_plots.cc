@@ -65,14 +65,26 @@ double longest_way(const Json& instant) {
   return way;
 }
 
-Plot contact_history(const Json& history) {
-  Plot plot{.title = "Contact area in steps", .x = {"time [steps]", false}, .y = {"contact area [m^2]", false}};
-  plot.series.push_back({.label = "contact area", .x = {}, .y = {}});
+/// Returns a plot of one number of each instant over another.
+template <class X, class Y>
+Plot over_instants(const Json& history, Plot plot, std::string label, const X& x, const Y& y) {
+  plot.series.push_back({.label = std::move(label), .x = {}, .y = {}});
   for (const Json& instant : history) {
-    plot.series.back().x.push_back(value_of(instant.at("time")));
-    plot.series.back().y.push_back(value_of(instant.at("contact_area")));
+    plot.series.back().x.push_back(x(instant));
+    plot.series.back().y.push_back(y(instant));
   }
   return plot;
+}
+
+/// Returns a function that takes the number of this name from an instant.
+auto number_of(const char* name) {
+  return [name](const Json& instant) { return value_of(instant.at(name)); };
+}
+
+Plot contact_history(const Json& history) {
+  return over_instants(
+      history, {.title = "Contact area in steps", .x = {"time [steps]", false}, .y = {"contact area [m^2]", false}},
+      "contact area", number_of("time"), number_of("contact_area"));
 }
 
 /// Whether the loads follow a displacement in the end.
@@ -82,28 +94,21 @@ bool has_control(const Json& history) {
 
 /// Returns the factor of the loads over the displacement that they follow.
 Plot load_history(const Json& history) {
-  Plot plot{.title = "Loads over the displacement that they follow",
-            .x = {"displacement [m]", false},
-            .y = {"factor of the loads", false}};
-  plot.series.push_back({.label = "loads", .x = {}, .y = {}});
-  for (const Json& instant : history) {
-    plot.series.back().x.push_back(value_of(instant.at("controlled_displacement")));
-    plot.series.back().y.push_back(value_of(instant.at("load_factor")));
-  }
-  return plot;
+  return over_instants(history,
+                       {.title = "Loads over the displacement that they follow",
+                        .x = {"displacement [m]", false},
+                        .y = {"factor of the loads", false}},
+                       "loads", number_of("controlled_displacement"), number_of("load_factor"));
 }
 
 /// Returns the force of the supports over the largest displacement.
 Plot support_history(const Json& history) {
-  Plot plot{.title = "Force of the supports on the shell",
-            .x = {"largest displacement [m]", false},
-            .y = {"force [N]", false}};
-  plot.series.push_back({.label = "supports", .x = {}, .y = {}});
-  for (const Json& instant : history) {
-    plot.series.back().x.push_back(value_of(instant.at("max_displacement")));
-    plot.series.back().y.push_back(norm_of(instant.at("support_force")));
-  }
-  return plot;
+  return over_instants(history,
+                       {.title = "Force of the supports on the shell",
+                        .x = {"largest displacement [m]", false},
+                        .y = {"force [N]", false}},
+                       "supports", number_of("max_displacement"),
+                       [](const Json& instant) { return norm_of(instant.at("support_force")); });
 }
 
 /// Returns the force of each obstacle over the longest distance that an obstacle has moved; over the time if none has.

@@ -61,13 +61,13 @@ std::vector<Instant> instants(const Problem& problem) {
   return all;
 }
 
-std::optional<assembly::LoadControl> load_control(const Problem& problem, const Instant& instant, double start) {
+std::optional<assembly::Control> control_of(const Problem& problem, const Instant& instant, double start) {
   if (!instant.control) return {};
   const auto probe = std::ranges::find(problem.probes, instant.control->probe, &Probe::name);
   if (probe == problem.probes.end()) throw std::logic_error("the probe of a control was not checked");
-  return assembly::LoadControl{.at = probe->at,
-                               .direction = instant.control->direction,
-                               .displacement = between(start, instant.control->to, instant.part)};
+  return assembly::Control{.at = probe->at,
+                           .direction = instant.control->direction,
+                           .displacement = between(start, instant.control->to, instant.part)};
 }
 
 }  // namespace plastron::problem

@@ -29,7 +29,7 @@ Instant start(const Problem& problem);
 /// 0, with all of them. Of a step that chooses its parts they have the end, and a first part if it is the first step.
 std::vector<Instant> instants(const Problem& problem);
 
-/// Returns the control of an instant. `start`: values of u . direction at the start of its step [m].
-std::optional<assembly::LoadControl> load_control(const Problem& problem, const Instant& instant, double start);
+/// Returns the control of an instant. `start`: value of u . direction at the start of its step [m].
+std::optional<assembly::Control> control_of(const Problem& problem, const Instant& instant, double start);
 
 }  // namespace plastron::problem

@@ -63,26 +63,30 @@ Strain<S> strain(const LocalField<S>& v, const Frame& f) {
   return {membrane_strain(v, f.a_cov), bending_strain(v, f), shear_strain(v, f.a_cov, f.a3)};
 }
 
-/// Returns the frame of the surface and director that `v` has moved: y_a, d, d_a d (M23). Metric, area and curvature stay
-/// those of the reference, as (M27) wants. strain(v, deformed(f, v / 2)) is the strain of finite rotations (M24-M26), because
-/// this is a polynomial of second degree.
-inline Frame deformed(const Frame& reference, const LocalField<double>& v) {
-  Frame f = reference;
-  f.a3 += v.r;
-  for (std::size_t a = 0; a < 2; ++a) {
-    f.a_cov[a] += v.du[a];
-    f.da3[a] += v.dr[a];
-  }
+/// Moves the vectors of a point, or of a frame, by a field: y_a, d and, where there are any, d_a d (M23). Metric, area and
+/// curvature stay those of the reference, as (M27) wants. strain(v, deformed(f, v / 2)) is the strain of finite rotations
+/// (M24-M26), because this is a polynomial of second degree.
+template <class Point>
+void deform(Point& point, const LocalField<double>& v) {
+  point.a3 += v.r;
+  for (std::size_t a = 0; a < 2; ++a) point.a_cov[a] += v.du[a];
+  if constexpr (requires { point.da3; })
+    for (std::size_t a = 0; a < 2; ++a) point.da3[a] += v.dr[a];
+}
+inline Frame deformed(Frame f, const LocalField<double>& v) {
+  deform(f, v);
   return f;
 }
 
-/// Returns the frame with the tangents, the director and its derivatives of another field (phi, a_3); metric, area and curvature
-/// stay.
-inline Frame replaced(const Frame& reference, const LocalField<double>& field) {
-  Frame f = reference;
-  f.a3 = field.r;
-  f.a_cov = field.du;
-  f.da3 = field.dr;
+/// Replaces the same vectors by those of a field (phi, a_3).
+template <class Point>
+void replace(Point& point, const LocalField<double>& field) {
+  point.a3 = field.r;
+  point.a_cov = field.du;
+  if constexpr (requires { point.da3; }) point.da3 = field.dr;
+}
+inline Frame replaced(Frame f, const LocalField<double>& field) {
+  replace(f, field);
   return f;
 }
 

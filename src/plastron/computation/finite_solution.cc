@@ -1,0 +1,137 @@
+#include <plastron/computation/finite_solution.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plastron::computation {
+
+namespace {
+
+/// Number of Newton steps after which a shell with finite rotations has no equilibrium near its state.
+constexpr int most_newton_steps = 60;
+/// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
+constexpr double negligible_step = 1e-9, tiny_step = 1e-8, small_step = 1e-5;
+
+/// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
+/// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
+constexpr double far_beyond = 3, large_part = 0.2;
+
+double largest_way(algebra::Vector before, const algebra::Vector& now) {
+  algebra::axpy(-1, now, before);
+  return solution::largest_displacement(before);
+}
+
+/// Solves with finite rotations, by Newton steps from the state of the shell with the stresses and the zone of `start`.
+Found newton_solution(LevelRun& run, finite::StepStart start) {
+  assembly::DiscreteShell& discrete = run.discrete();
+  solution::NodalSolution nodal =
+      solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, discrete.obstacle_block()));
+  finite::NewtonStep step;
+  double before = std::numeric_limits<double>::infinity(), predicted = 0;
+  bool lost_stiffness = false;
+  for (int steps = 0; steps < most_newton_steps; ++steps) {
+    step = run.newton_step(start);
+    run.is_control_blind = step.is_control_blind;
+    lost_stiffness = lost_stiffness || (step.shift > 0 && steps > 0);
+    if (steps == 0) predicted = step.largest_displacement;
+    if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
+    if (step.status() != contact::Status::solved) break;
+    linearise(discrete, finite::next_state(discrete, start, step));
+    const double displacement = solution::largest_displacement(discrete.state.displacement);
+    start = std::move(step.next);
+    const double size =
+        std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
+    // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
+    const bool is_rounding = size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
+    before = size;
+    if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
+    if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
+  }
+  const double way = lost_stiffness ? largest_way(nodal.y, discrete.state.displacement) : 0;
+  const double whole = solution::largest_displacement(discrete.state.displacement);
+  run.has_jumped = run.has_jumped || (way > far_beyond * predicted && way > large_part * whole);
+  if (held_inside_obstacle(discrete)) step.box.status = contact::Status::infeasible;
+  if (start.zone.layout()) nodal = solution::nodal_solution(discrete, start.zone);
+  return {std::move(step.box), std::move(nodal)};
+}
+
+/// Whether prescribed components of u and r have their values.
+bool supports_stand(const assembly::DiscreteShell& discrete) {
+  constexpr double rest_part = 1e-12;
+  const assembly::NodalCoordinates& coordinates = discrete.coordinates;
+  const std::vector<char> prescribed = coordinates.prescribed();
+  double rest = 0;
+  for (std::size_t i = 0; i < prescribed.size(); ++i)
+    if (prescribed[i]) rest = std::max(rest, std::abs(coordinates.lower.owned()[i]));
+  return algebra::max_over_ranks(rest, discrete.space().layout->comm) <=
+         rest_part * solution::largest_displacement(discrete.state.displacement);
+}
+
+/// Whether loads have a potential that finite::potential() computes.
+bool has_potential(const assembly::DiscreteShell& discrete) {
+  return discrete.follower_pressure.empty() && discrete.space().bodies.empty() && !discrete.state.control &&
+         discrete.shell.sections().most_layers() == 0 && assembly::pressed_obstacles(discrete).empty();
+}
+
+/// Descends from the state of the shell towards a local minimum of the potential: Newton steps with the stresses of the state and
+/// a stiffness to which a multiple of the diagonal is added until they lower it. Returns the start of the steps that finish;
+/// empty if the shell has not descended. Needed where it snaps away from an obstacle.
+std::optional<finite::StepStart> descended(LevelRun& run) {
+  constexpr int most_steps = 200;
+  constexpr double near = 1e-2, first_shift = 1e-3, least_shift = 1e-6, largest_shift = 1e2;
+  assembly::DiscreteShell& discrete = run.discrete();
+  algebra::Vector zone(discrete.space().layout, discrete.obstacle_block());
+  const auto start_with = [&](double shift) {
+    return finite::StepStart{.prestress = finite::prestress(discrete, solution::nodal_solution(discrete, zone)),
+                             .zone = zone,
+                             .shift = shift};
+  };
+  double shift = 0, weight = algebra::max_abs(discrete.load);
+  bool has_descended = false;
+  for (int steps = 0; steps < most_steps && shift < largest_shift; ++steps) {
+    const finite::StepStart start = start_with(shift);
+    finite::NewtonStep step = run.newton_step(start);
+    if (step.status() != contact::Status::solved) return {};
+    const assembly::State before = discrete.state;
+    weight = std::max(weight, 2 * finite::largest_reaction(discrete, step));
+    const double merit = finite::potential(discrete, weight);
+    linearise(discrete, finite::next_state(discrete, start, step));
+    if (finite::potential(discrete, weight) < merit) {
+      has_descended = true;
+      zone = std::move(step.next.zone);
+      shift = step.shift / 4 < least_shift ? 0 : step.shift / 4;
+      const double whole = solution::largest_displacement(discrete.state.displacement);
+      if (shift == 0 && step.largest_displacement < near * whole) break;
+    } else {
+      linearise(discrete, before);
+      shift = std::max(first_shift, 4 * step.shift);
+    }
+  }
+  if (!has_descended) return {};
+  return start_with(0);
+}
+
+}  // namespace
+
+Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
+  assembly::DiscreteShell& discrete = run.discrete();
+  const assembly::State before = discrete.state;
+  // The stresses of an interpolated state are not used: rotations that do not fit leave a false stretch in it.
+  finite::StepStart start{.prestress = finite::no_prestress(discrete)};
+  if (zone) start.zone = *zone;
+  Found found = newton_solution(run, std::move(start));
+  if (found.z.status != contact::Status::no_equilibrium || !has_potential(discrete)) return found;
+  linearise(discrete, before);
+  auto near = supports_stand(discrete) ? descended(run) : std::nullopt;
+  if (!near) {
+    if (run.is_stopped()) found.z.status = contact::Status::interrupted;
+    found.nodal = solution::nodal_solution(discrete, found.nodal.touching);
+    return found;
+  }
+  Found lower = newton_solution(run, std::move(*near));
+  run.has_jumped = run.has_jumped || lower.z.status == contact::Status::solved;
+  return lower;
+}
+
+}  // namespace plastron::computation
