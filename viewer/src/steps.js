@@ -6,7 +6,8 @@ const pause = 300; // ms between instants
 
 export function stepSlider(frames, action) {
   const slider = element('input', { type: 'range', min: '0', max: String(frames.length - 1), step: '1', 'aria-label': 'Instant of the steps' });
-  const time = element('output', {});
+  const timeOf = (frame) => `time ${shown(frame.time)}`;
+  const time = element('output', {}, timeOf(frames.at(-1)));
   let timer;
   const stop = () => {
     clearInterval(timer);
@@ -15,7 +16,7 @@ export function stepSlider(frames, action) {
   };
   const set = (number) => {
     slider.value = String(number);
-    time.textContent = `time ${shown(frames[number].time)}`;
+    time.textContent = timeOf(frames[number]);
     action(frames[number]);
   };
   const play = button('Play', 'Shows the instants one after the other', () => {
