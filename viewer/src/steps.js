@@ -5,7 +5,7 @@ import { shown } from './quantities.js';
 const pause = 300; // ms between instants
 
 export function stepSlider(frames, action) {
-  const slider = element('input', { type: 'range', min: '0', max: String(frames.length - 1), step: '1', 'aria-label': 'Instant of the steps' });
+  const slider = element('input', { type: 'range', min: '0', max: String(frames.length - 1), step: '1', value: String(frames.length - 1), 'aria-label': 'Instant of the steps' });
   const timeOf = (frame) => `time ${shown(frame.time)}`;
   const time = element('output', {}, timeOf(frames.at(-1)));
   let timer;
