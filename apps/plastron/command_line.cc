@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <sstream>
+#include <thread>
 
 namespace plastron::app {
 
@@ -199,6 +200,29 @@ CLI::App* add_parts(CLI::App& program, PartsOptions& options) {
   return parts;
 }
 
+CLI::App* add_sweep(CLI::App& program, SweepOptions& options) {
+  CLI::App* sweep = program.add_subcommand(
+      "sweep",
+      "Solve a case for all combinations of values, several at a time, and write one table; solved cases are kept");
+  sweep->add_option("CASE", options.case_file, "Case file (TOML)")->required();
+  sweep
+      ->add_option("--set", options.settings,
+                   "Values of a key, in TOML: shell.thickness=0.01,0.02. Each further --set multiplies the cases")
+      ->type_name("KEY=VALUE,...")
+      ->required()
+      ->allow_extra_args(false);
+  sweep->add_option("-o,--output,--out", options.output, "Directory with a folder 0001, 0002, ... for each case")
+      ->required();
+  sweep->add_option("--table", options.table, "File of the table (.csv); default: table.csv in the directory");
+  options.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  sweep->add_option("-j,--jobs", options.jobs, "Cases that are solved at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  sweep->add_flag("--reports", options.with_reports, "Write report.html for each case");
+  sweep->add_flag("-q,--quiet", options.quiet, "Print errors only");
+  return sweep;
+}
+
 QuestionCommands add_question_commands(CLI::App& program, Questions& questions) {
   CLI::App* explain = program.add_subcommand(
       "explain", "Explain a key of the case file, a field, a number, a status or a limit of the program");
@@ -241,6 +265,7 @@ CommandLine::CommandLine() {
   commands = add_common_commands(program, options);
   study = add_study(program, study_options);
   parts = add_parts(program, parts_options);
+  sweep = add_sweep(program, sweep_options);
   asked = add_question_commands(program, questions);
 }
 

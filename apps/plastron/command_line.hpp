@@ -52,6 +52,17 @@ struct StudyCommand {
   study::StudyOptions options{};
 };
 
+/// Options of sweep.
+struct SweepOptions {
+  std::filesystem::path case_file;
+  std::filesystem::path output;
+  std::filesystem::path table{};        ///< empty: table.csv in `output`
+  std::vector<std::string> settings{};  ///< keys with their values, separated by commas
+  int jobs = 1;                         ///< cases that are solved at a time
+  bool with_reports = false;            ///< whether each case has a report.html
+  bool quiet = false;                   ///< print errors only
+};
+
 /// Options of the commands that compute nothing.
 struct Questions {
   std::string word{};                  ///< explain: the word; empty: all
@@ -92,9 +103,10 @@ struct CommandLine {
   Options options{};
   StudyCommand study_options{};
   PartsOptions parts_options{};
+  SweepOptions sweep_options{};
   Questions questions{};
   CommonCommands commands{};
-  CLI::App *study = nullptr, *parts = nullptr;
+  CLI::App *study = nullptr, *parts = nullptr, *sweep = nullptr;
   QuestionCommands asked{};
 };
 
@@ -114,6 +126,12 @@ ExitCode check(const Options& options);
 
 /// Runs the command of the line; each program has its own version.
 ExitCode carry_out(const CommandLine& line);
+
+/// Solves a case for all combinations of values, in processes of its own. Throws CLI::ParseError, config::CaseErrors.
+ExitCode sweep(const SweepOptions& options);
+
+/// Returns the program beside this one, or in the folder of packages for programs that users do not start.
+std::filesystem::path find_program(const char* name);
 
 // The commands that compute nothing: `plastron` runs them itself, without the solver.
 

@@ -38,15 +38,6 @@ bool has_address_space() {
   return false;
 }
 
-/// Returns the program beside this one, or in the folder of packages for programs that users do not start.
-std::filesystem::path find_program(const char* name) {
-  std::error_code error;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  const auto in_libexec = folder.parent_path() / "libexec" / "plastron" / name;
-  const auto beside = folder / name;
-  return !std::filesystem::exists(beside, error) && std::filesystem::exists(in_libexec, error) ? in_libexec : beside;
-}
-
 /// Starts the other program. It returns only with an error.
 ExitCode hand_over(const CommandLine& line, char** argv) {
   if (!has_address_space()) return internal_error;
@@ -101,12 +92,21 @@ std::optional<ExitCode> answer_question(const CommandLine& line) {
 
 }  // namespace
 
+std::filesystem::path find_program(const char* name) {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const auto in_libexec = folder.parent_path() / "libexec" / "plastron" / name;
+  const auto beside = folder / name;
+  return !std::filesystem::exists(beside, error) && std::filesystem::exists(in_libexec, error) ? in_libexec : beside;
+}
+
 int front(int argc, char** argv) {
   secure_standard_streams();
   CommandLine line;
   try {
     line.program.parse(argc, argv);
     if (const auto answered = answer_question(line)) return *answered;
+    if (line.sweep->parsed()) return has_address_space() ? sweep(line.sweep_options) : internal_error;
     log_start(line);
     if (!line.commands.verify->parsed() && !line.parts->parsed()) {  // they have no case file
       const bool is_study = line.study->parsed();

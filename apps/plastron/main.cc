@@ -12,6 +12,7 @@
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/workflow/read.hpp>
 
 #include <mpi.h>
 
@@ -26,7 +27,7 @@ namespace {
 ExitCode guarded(const std::function<ExitCode()>& command) {
   try {
     return command();
-  } catch (const RefusedCase& refused) {
+  } catch (const workflow::RefusedCase& refused) {
     if (is_first_rank()) print_text(stderr, refused.what());
     return bad_input;
   } catch (const mesh::DomainError& error) {

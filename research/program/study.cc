@@ -9,6 +9,9 @@
 #include <research/study/kinds.hpp>
 #include <research/study/variations.hpp>
 
+#include <plastron/workflow/output_directory.hpp>
+#include <plastron/workflow/read.hpp>
+
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -81,11 +84,12 @@ ExitCode study_case(const StudyCommand& command) {
   const config::Case c = read_case(command.case_file, command.settings);
   const study::Kind& kind = kind_of(command.kind);
   const problem::Problem problem = kind.grades_meshes ? c.problem : study::on_uniform_meshes(c.problem);
-  const auto findings = examine_together([&] { return study::examine(kind, problem, command.options); });
+  const auto findings =
+      workflow::examine_together([&] { return study::examine(kind, problem, command.options); }, MPI_COMM_WORLD);
   print_findings(findings, command.case_file.string(), false);
   if (examination::has_errors(findings)) return bad_input;
-  std::optional<OutputDirectory> output;
-  if (!command.output.empty()) output.emplace(command.output);
+  std::optional<workflow::OutputDirectory> output;
+  if (!command.output.empty()) output.emplace(command.output, MPI_COMM_WORLD);
   if (output && !output->obstacle().empty()) {
     print_error("{}: error: results cannot be written here: {}\n", command.output.string(), output->obstacle());
     return bad_input;

@@ -86,23 +86,23 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
-  if (settings.empty()) return read_case(path, path.parent_path());
-  const Overrides overrides(contents(path), path.string(), settings);
+Case parse_case(std::string text, std::string file_name, std::span<const std::string> settings) {
+  const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
+  if (settings.empty()) return parsed(std::move(text), std::move(file_name), folder);
+  const Overrides overrides(std::move(text), file_name, settings);
   try {
-    return parsed(overrides.text(), path.string(), path.parent_path());
+    return parsed(overrides.text(), std::move(file_name), folder);
   } catch (const CaseErrors& errors) {
     throw CaseErrors(overrides.of_user(errors.mistakes()));
   }
 }
 
-Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  return parsed(contents(path), path.string(), folder);
+Case read_case(const std::filesystem::path& path, std::span<const std::string> settings) {
+  return parse_case(contents(path), path.string(), settings);
 }
 
-Case parse_case(std::string text, std::string file_name) {
-  std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
-  return parsed(std::move(text), std::move(file_name), std::move(folder));
+Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return parsed(contents(path), path.string(), folder);
 }
 
 }  // namespace plastron::config

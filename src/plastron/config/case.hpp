@@ -28,7 +28,8 @@ struct Case {
 Case read_case(const std::filesystem::path& path, std::span<const std::string> settings = {});
 /// Searches in `folder` for the files that the case names. Throws CaseErrors.
 Case read_case(const std::filesystem::path& path, const std::filesystem::path& folder);
-/// Searches in the folder of `file_name` for the files that the case names. Throws CaseErrors.
-Case parse_case(std::string text, std::string file_name);
+/// Reads a case from a text instead of a file, with `settings` likewise. Searches in the folder of `file_name` for the files
+/// that the case names. Throws CaseErrors.
+Case parse_case(std::string text, std::string file_name, std::span<const std::string> settings = {});
 
 }  // namespace plastron::config

@@ -44,6 +44,9 @@ struct Comparison {
   bool agrees = false;
 };
 
+/// Returns a value as text: numbers with nine digits, null as "-".
+std::string shown(const Json& value);
+
 /// Scales of the numbers of a computation, and their reproducibility.
 struct Tolerances {
   explicit Tolerances(const computation::Result& recomputed);

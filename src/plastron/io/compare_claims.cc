@@ -166,6 +166,10 @@ double Tolerances::of(const std::string& unit, double magnitude) const {
   return rounding * std::max(magnitude, found == least.end() ? 0 : found->second);
 }
 
+std::string shown(const Json& value) {
+  return value.is_number_float() ? fmt::format("{:.9g}", value.get<double>()) : value.is_null() ? "-" : value.dump();
+}
+
 std::vector<Comparison> compare_numbers(const Json& claimed, const computation::Result& recomputed) {
   const Json ours = results_json(recomputed, {});
   const Tolerances tolerances(recomputed);

@@ -68,7 +68,8 @@ void add_modes(const computation::Solution& solution, const std::vector<Eigen::V
   }
 }
 
-/// Returns the cells that this rank owns.
+}  // namespace
+
 GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& choice) {
   const fem::Space& space = solution.discrete->space();
   const auto xi = cell_points(space.shape(), space.degree);
@@ -92,6 +93,8 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
   add_modes(solution, xi, piece);
   return piece;
 }
+
+namespace {
 
 std::string pvd_text(const std::vector<DataSet>& sets) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";

@@ -3,6 +3,7 @@
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/atomic_file.hpp>
+#include <plastron/io/vtu_piece.hpp>
 
 #include <filesystem>
 #include <string>
@@ -18,8 +19,11 @@ struct VtuChoice {
   problem::UnitNames units{};     ///< names beside the arrays
 };
 
-/// Adds a .vtu file (collective). Each cell has its own points, equidistant in its parameters, because resultants jump
-/// between cells. Throws std::runtime_error.
+/// Returns the cells of this rank with all fields. Each cell has its own points, equidistant in its parameters, because
+/// resultants jump between cells.
+GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& choice = {});
+
+/// Adds a .vtu file of the pieces of all ranks (collective). Throws std::runtime_error.
 void add_vtu(const computation::Solution& solution, const std::filesystem::path& path, AtomicFiles& files,
              const VtuChoice& choice = {});
 

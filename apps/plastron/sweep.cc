@@ -1,0 +1,214 @@
+// plastron sweep CASE --set KEY=A,B,...: solves a case for every combination of values, several at a time, and writes one
+// table. Each combination has a folder; a finished one is not solved again.
+#include "command_line.hpp"
+#include "terminal.hpp"
+
+#include <plastron/config/case.hpp>
+#include <plastron/io/bytes.hpp>
+#include <plastron/io/flat_row.hpp>
+#include <plastron/io/results.hpp>
+
+#include <fmt/ranges.h>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <map>
+
+namespace plastron::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A key with the values that it takes in turn, in TOML.
+struct Parameter {
+  std::string key;
+  std::vector<std::string> values{};
+};
+
+/// Splits at commas outside of brackets and quotes.
+std::vector<std::string> split_values(std::string_view text) {
+  std::vector<std::string> values(1);
+  int depth = 0;
+  char quote = 0;
+  for (const char c : text) {
+    if (quote != 0)
+      quote = c == quote ? '\0' : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else if (c == '[' || c == '{')
+      ++depth;
+    else if (c == ']' || c == '}')
+      --depth;
+    if (c == ',' && depth == 0 && quote == 0)
+      values.emplace_back();
+    else
+      values.back() += c;
+  }
+  for (std::string& value : values) {
+    value.erase(0, value.find_first_not_of(' '));
+    value.erase(value.find_last_not_of(' ') + 1);
+  }
+  return values;
+}
+
+std::vector<Parameter> parameters_of(const std::vector<std::string>& settings) {
+  std::vector<Parameter> parameters;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw CLI::ValidationError("--set", fmt::format("\"{}\" is not KEY=VALUE,VALUE,...", setting));
+    parameters.push_back({setting.substr(0, equals), split_values(std::string_view(setting).substr(equals + 1))});
+  }
+  return parameters;
+}
+
+/// One combination of values.
+struct Member {
+  std::vector<std::string> values, settings;
+  fs::path folder;
+  std::string text_hash{};  ///< of the case with these values
+};
+
+/// Returns all combinations; the last parameter changes fastest. Throws config::CaseErrors for a combination that cannot be read.
+std::vector<Member> members_of(const SweepOptions& options, const std::vector<Parameter>& parameters) {
+  std::vector<Member> members(1);
+  for (const Parameter& parameter : parameters) {
+    std::vector<Member> longer;
+    for (const Member& member : members)
+      for (const std::string& value : parameter.values) {
+        longer.push_back(member);
+        longer.back().values.push_back(value);
+        longer.back().settings.push_back(parameter.key + "=" + value);
+      }
+    members = std::move(longer);
+  }
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    members[i].folder = options.output / fmt::format("{:04}", i + 1);
+    members[i].text_hash = io::checksum_of_text(config::read_case(options.case_file, members[i].settings).text).hash;
+  }
+  return members;
+}
+
+/// Returns the results of a member; null if it was not solved, or if another case was solved there.
+io::Json results_of(const Member& member) {
+  std::ifstream stream(member.folder / io::results_name, std::ios::binary);
+  if (!stream) return nullptr;
+  const io::Json results = io::Json::parse(stream, nullptr, false);
+  const io::Json::json_pointer place("/verification/case/sha256");
+  return !results.is_discarded() && results.contains(place) && results[place] == member.text_hash ? results
+                                                                                                  : io::Json();
+}
+
+volatile sig_atomic_t was_interrupted = 0;
+extern "C" void note_end(int) { was_interrupted = 1; }
+
+/// Starts the solver for a member, and returns its process.
+pid_t start(const Member& member, const SweepOptions& options, const fs::path& program) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  std::vector<std::string> words{
+      program.string(), "run", options.case_file.string(), "--output", member.folder.string(), "--quiet",
+      "--threads",      "1"};
+  if (!options.with_reports) words.emplace_back("--no-report");
+  for (const std::string& setting : member.settings) words.insert(words.end(), {"--set", setting});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  _exit(internal_error);
+}
+
+/// Solves members, `options.jobs` at a time. Returns false after an interruption.
+bool solve_all(const std::vector<const Member*>& members, const SweepOptions& options, const fs::path& program) {
+  struct sigaction action {};
+  action.sa_handler = note_end;
+  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
+  std::map<pid_t, const Member*> running;
+  std::size_t next = 0, done = 0;
+  while (!running.empty() || (next < members.size() && was_interrupted == 0)) {
+    if (next < members.size() && was_interrupted == 0 && running.size() < static_cast<std::size_t>(options.jobs)) {
+      const pid_t child = start(*members[next], options, program);
+      if (child < 0) return false;
+      running[child] = members[next++];
+      continue;
+    }
+    int state = 0;
+    const pid_t child = waitpid(-1, &state, 0);
+    if (child < 0 && errno != EINTR) break;
+    if (child < 0) continue;
+    if (!options.quiet) {
+      const Member& member = *running[child];
+      app::print("{:>5} of {}  {}  {}\n", ++done, members.size(), member.folder.string(),
+                 fmt::format("{}", fmt::join(member.settings, "  ")));
+    }
+    running.erase(child);
+  }
+  return was_interrupted == 0;
+}
+
+/// Returns the table: a line of names, then one line for each member.
+std::string table_of(const std::vector<Member>& members, const std::vector<Parameter>& parameters) {
+  std::vector<std::string> columns;
+  std::vector<std::map<std::string, std::string>> cells;
+  for (const Member& member : members) {
+    const io::Json results = results_of(member);
+    const io::Row row = results.is_null() ? io::Row{{"status", "refused"}} : io::result_row(results);
+    for (const auto& [name, text] : row)
+      if (std::ranges::find(columns, name) == columns.end()) columns.push_back(name);
+    cells.emplace_back(row.begin(), row.end());
+  }
+  std::string text;
+  for (const Parameter& parameter : parameters) text += io::csv_cell(parameter.key) + ",";
+  text += fmt::format("{}\n", fmt::join(columns, ","));
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    for (const std::string& value : members[i].values) text += io::csv_cell(value) + ",";
+    for (const std::string& column : columns)
+      text += io::csv_cell(cells[i][column]) + (column == columns.back() ? "\n" : ",");
+  }
+  return text;
+}
+
+}  // namespace
+
+ExitCode sweep(const SweepOptions& options) {
+  const fs::path program = find_program("plastron-solver");
+  const auto parameters = parameters_of(options.settings);
+  const std::vector<Member> members = members_of(options, parameters);
+  std::error_code error;
+  fs::create_directories(options.output, error);
+  if (error) {
+    print_error("error: {} cannot be made: {}\n", options.output.string(), error.message());
+    return bad_input;
+  }
+  std::vector<const Member*> open;
+  for (const Member& member : members)
+    if (results_of(member).is_null()) open.push_back(&member);
+  if (!options.quiet && open.size() < members.size())
+    print("{} of {} cases are solved already\n", members.size() - open.size(), members.size());
+  const bool is_complete = solve_all(open, options, program);
+  const fs::path table = options.table.empty() ? options.output / "table.csv" : options.table;
+  std::ofstream stream(table, std::ios::binary);
+  stream << table_of(members, parameters);
+  if (!stream.flush()) {
+    print_error("error: {} cannot be written\n", table.string());
+    return bad_input;
+  }
+  if (!options.quiet) print("table             {}\n", table.string());
+  if (!is_complete) {
+    print_error("interrupted: the same command goes on with the cases that are not solved\n");
+    return not_converged;
+  }
+  const auto is_solved = [](const Member& member) {
+    const io::Json results = results_of(member);
+    return !results.is_null() && results.value("status", "") == "solved";
+  };
+  return std::ranges::all_of(members, is_solved) ? solved : not_converged;
+}
+
+}  // namespace plastron::app

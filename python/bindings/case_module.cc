@@ -1,0 +1,64 @@
+// plastron._case: reading of cases, and the declarations of the case file and of results.json. It loads no solver, so that
+// `import plastron` takes little time.
+#include "exceptions.hpp"
+
+#include <plastron/config/case.hpp>
+#include <plastron/config/schema.hpp>
+#include <plastron/io/flat_row.hpp>
+#include <plastron/io/results.hpp>
+#include <plastron/io/results_schema.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+namespace plastron::python {
+
+namespace {
+
+/// Returns (effective settings as JSON, text with settings, files that the case names as (name, path)).
+py::tuple read(const std::string& text, const std::string& file_name, const std::vector<std::string>& settings) {
+  try {
+    const config::Case c = config::parse_case(text, file_name, settings);
+    py::list files;
+    for (const auto& [name, path] : c.files) files.append(py::make_tuple(name, path.string()));
+    return py::make_tuple(c.effective.dump(), c.text, files);
+  } catch (const config::CaseErrors& errors) {
+    throw_case_error(errors);
+  }
+}
+
+/// Returns a list of (path, meaning, keys), where a key is (name, kind, unit, default, allowed values, meaning, whether it
+/// is required).
+py::list declarations() {
+  py::list all;
+  for (const config::Section& section : config::sections()) {
+    py::list keys;
+    for (const config::Key& key : section.keys)
+      keys.append(py::make_tuple(key.name, config::description(key.kind), key.unit, key.fallback,
+                                 config::allowed_values(key), key.meaning, key.required));
+    all.append(py::make_tuple(section.path, section.meaning, keys));
+  }
+  return all;
+}
+
+}  // namespace
+
+}  // namespace plastron::python
+
+PYBIND11_MODULE(_case, module) {
+  using namespace plastron;
+  namespace py = pybind11;
+  module.doc() = "Cases and declarations, without the solver.";
+  module.def("read", &python::read, py::arg("text"), py::arg("file_name"), py::arg("settings"));
+  module.def("declarations", &python::declarations);
+  module.def("result_row", [](const std::string& results) { return io::result_row(io::Json::parse(results)); });
+  module.def("csv_cell", &io::csv_cell);
+  module.def("case_schema", [] { return config::case_schema().dump(); });
+  module.def("results_schema", [] { return io::results_schema().dump(); });
+  module.attr("version") = std::string(io::version);
+}

@@ -1,0 +1,55 @@
+#include "session.hpp"
+
+#include <plastron/algebra/session.hpp>
+
+#include <memory>
+#include <set>
+#include <string>
+
+namespace plastron::python {
+
+namespace {
+
+std::unique_ptr<algebra::Session>& session() {
+  static std::unique_ptr<algebra::Session> only;
+  return only;
+}
+
+std::set<Releasable*>& releasables() {
+  static std::set<Releasable*> all;
+  return all;
+}
+
+}  // namespace
+
+Releasable::Releasable() { releasables().insert(this); }
+Releasable::~Releasable() { releasables().erase(this); }
+
+void start_session(int threads) {
+  if (session()) return;
+  int count = 0;
+  char** arguments = nullptr;
+  session() = std::make_unique<algebra::Session>(count, arguments, threads);
+}
+
+void end_session() {
+  for (Releasable* object : releasables()) object->release();
+  session().reset();
+}
+
+MPI_Comm communicator(const py::object& comm) {
+  start_session(0);
+  if (py::isinstance<py::str>(comm)) {
+    const auto name = comm.cast<std::string>();
+    if (name == "world") return MPI_COMM_WORLD;
+    if (name == "self") return MPI_COMM_SELF;
+    throw py::value_error("comm is \"world\", \"self\" or a communicator of mpi4py, not \"" + name + "\"");
+  }
+  const py::module_ mpi = py::module_::import("mpi4py.MPI");
+  if (!py::isinstance(comm, mpi.attr("Comm")))
+    throw py::type_error("comm is \"world\", \"self\" or a communicator of mpi4py");
+  const auto address = mpi.attr("_addressof")(comm).cast<std::uintptr_t>();
+  return *reinterpret_cast<MPI_Comm*>(address);
+}
+
+}  // namespace plastron::python

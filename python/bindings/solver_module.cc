@@ -1,0 +1,257 @@
+// plastron._solver: examination, solution, verification and evaluation of cases.
+#include "exceptions.hpp"
+#include "session.hpp"
+#include "solved.hpp"
+
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/assembly/load_vector.hpp>
+#include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/io/quantities.hpp>
+#include <plastron/obstacle/error.hpp>
+#include <plastron/workflow/output_directory.hpp>
+#include <plastron/workflow/read.hpp>
+#include <plastron/workflow/solve.hpp>
+#include <plastron/workflow/verify.hpp>
+
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include <exception>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace plastron::python {
+
+namespace {
+
+/// A case as Python gives it.
+struct CaseText {
+  std::string text, file_name;
+  std::vector<std::string> settings;
+
+  config::Case read(MPI_Comm comm) const {
+    return workflow::read_together([&] { return config::parse_case(text, file_name, settings); }, comm);
+  }
+};
+
+/// Computations use one set of libraries, which several threads must not use at once.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// Runs a computation without the interpreter's lock, and raises its errors as those of plastron.errors.
+template <class Work>
+auto computing(Work&& work) {
+  const auto refuse = [](const std::string& text) { raise("CaseError", text); };
+  try {
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(one_at_a_time());
+    return work();
+  } catch (const workflow::RefusedCase& error) {
+    refuse(error.what());
+  } catch (const mesh::DomainError& error) {
+    refuse(std::string("error: ") + error.what() + "\n");
+  } catch (const assembly::SupportError& error) {
+    refuse(std::string("error: ") + error.what() + "\n");
+  } catch (const obstacle::ObstacleError& error) {
+    refuse(std::string("error: ") + error.what() + "\n");
+  } catch (const assembly::LoadError& error) {
+    refuse(std::string("error: ") + error.what() + "\n");
+  } catch (const io::UnusableResults& error) {
+    raise("ResultsError", error.what());
+  } catch (const io::WriteError& error) {
+    raise("OutputError", error.what());
+  }
+  throw std::logic_error("an error was not raised");
+}
+
+/// The findings as (severity, text), with the names of the case's units.
+std::vector<std::pair<std::string, std::string>> words_of(const std::vector<examination::Finding>& findings,
+                                                          const problem::UnitNames& units) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const examination::Finding& finding : findings)
+    all.emplace_back(workflow::to_string(finding.severity), units.renamed(finding.text));
+  return all;
+}
+
+std::vector<examination::Finding> examine(const config::Case& c, MPI_Comm comm) {
+  return workflow::examine_together([&] { return examination::examine(c.problem); }, comm);
+}
+
+std::vector<std::pair<std::string, std::string>> check(const CaseText& given, const py::object& comm) {
+  const MPI_Comm all = communicator(comm);
+  return computing([&] {
+    const config::Case c = given.read(all);
+    return words_of(examine(c, all), c.problem.output.units);
+  });
+}
+
+/// Throws RefusedCase with the errors among the findings.
+void refuse_errors(const std::vector<examination::Finding>& findings, const CaseText& given, const config::Case& c) {
+  if (!examination::has_errors(findings)) return;
+  std::string text;
+  for (const auto& [severity, words] : words_of(findings, c.problem.output.units))
+    if (severity != "note") text += given.file_name + ": " + severity + ": " + words + "\n";
+  throw workflow::RefusedCase(text);
+}
+
+/// Functions of Python that follow a computation; each may be None.
+struct Followers {
+  py::object phase, iteration, mesh, instant, warning;
+};
+
+/// Calls functions of Python from a computation. Their exceptions end the computation, and are raised afterwards.
+class Caller {
+ public:
+  explicit Caller(const Followers& followers) : followers_(followers) {}
+
+  computation::Observer observer(const problem::UnitNames& units) {
+    computation::Observer o;
+    o.phase = [this](int level, std::string_view name) { call(followers_.phase, level, std::string(name)); };
+    o.iteration = [this](int level, const contact::Iteration& i) {
+      call(followers_.iteration, level, io::record_json(io::iteration_quantities(), i).dump());
+    };
+    o.level = [this](int level, const computation::Level& record) {
+      call(followers_.mesh, level, io::record_json(io::level_quantities(), record).dump());
+    };
+    o.instant = [this](const computation::HistoryEntry& entry, const computation::Solution&) {
+      call(followers_.instant, io::record_json(io::history_quantities(), entry).dump());
+    };
+    o.warning = [this, units](std::string_view text) { call(followers_.warning, units.renamed(text)); };
+    o.stop = [this] { return wants_to_stop(); };
+    return o;
+  }
+
+  bool is_interrupted() const { return is_interrupted_; }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  template <class... Args>
+  void call(const py::object& function, const Args&... args) {
+    const py::gil_scoped_acquire acquire;
+    if (function.is_none() || failure_) return;
+    try {
+      function(args...);
+    } catch (py::error_already_set&) {
+      failure_ = std::current_exception();
+    }
+  }
+
+  /// Whether Ctrl-C was pressed, or a function failed.
+  bool wants_to_stop() {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) {
+      if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) {
+        PyErr_Clear();
+        is_interrupted_ = true;
+      } else {
+        failure_ = std::make_exception_ptr(py::error_already_set());
+      }
+    }
+    return is_interrupted_ || failure_;
+  }
+
+  const Followers& followers_;
+  std::exception_ptr failure_{};
+  bool is_interrupted_ = false;
+};
+
+/// Solves a case; its files go to `directory`. Returns (solved, warnings of the examination, whether it was interrupted).
+py::tuple solve(const CaseText& given, const std::string& directory, bool is_temporary, bool with_report,
+                const py::object& comm, const Followers& followers) {
+  const MPI_Comm all = communicator(comm);
+  Caller caller(followers);
+  auto solved = computing([&] {
+    config::Case c = given.read(all);
+    const auto findings = examine(c, all);
+    refuse_errors(findings, given, c);
+    // The directory of the first rank is everyone's, because temporary names differ.
+    const std::filesystem::path shared = algebra::first_words(directory, all);
+    std::optional<workflow::OutputDirectory> output;
+    if (!is_temporary) output.emplace(shared, workflow::inputs_of(c, given.file_name), all);
+    if (output && !output->obstacle().empty())
+      throw io::WriteError(shared.string() + ": results cannot be written here: " + output->obstacle());
+    io::CaseSource source = workflow::source_of(c, given.file_name, given.settings, all);
+    auto files =
+        std::make_unique<io::Output>(shared, workflow::base_name, all, with_report && c.wants_report, c.problem.output);
+    computation::Result result = workflow::solve(c, findings, *files, all, caller.observer(c.problem.output.units));
+    if (workflow::is_refused(result.status))
+      throw workflow::RefusedCase(given.file_name + ": error: " + workflow::refusal(result) + "\n");
+    const bool has_results = !result.levels.empty();
+    auto all_of_it = std::make_unique<Solved>(std::move(c), std::move(result), std::move(source), std::move(files));
+    if (!is_temporary && has_results) all_of_it->finish();
+    return all_of_it;
+  });
+  caller.rethrow();
+  return py::make_tuple(std::move(solved), caller.is_interrupted());
+}
+
+/// Returns the judgement as a dictionary with JSON texts.
+py::dict verdict_of(const workflow::Judgement& judgement) {
+  py::list rows, numbers;
+  for (const auto* limits : {&judgement.recomputed.result.limits, &judgement.recomputed.membership})
+    for (const certificate::CertificateLimit& row : *limits)
+      rows.append(
+          py::make_tuple(std::string(row.row), row.value, row.limit, row.is_least, std::string(row.unit), row.holds()));
+  for (const io::Comparison& c : judgement.numbers)
+    numbers.append(py::make_tuple(c.path, c.recomputed.dump(), c.claimed.dump(), c.tolerance, c.agrees));
+  py::dict all;
+  all["rows"] = rows;
+  all["numbers"] = numbers;
+  all["failures"] = judgement.failures;
+  return all;
+}
+
+py::dict verify(const std::string& directory, const std::string& files, const py::object& comm) {
+  const MPI_Comm all = communicator(comm);
+  const workflow::Judgement judgement = computing([&] { return workflow::verify(directory, files, all); });
+  return verdict_of(judgement);
+}
+
+/// Returns the solution of written results, after their verification, and the judgement.
+py::tuple load(const std::string& directory, const std::string& files, const py::object& comm) {
+  const MPI_Comm all = communicator(comm);
+  workflow::Judgement judgement = computing([&] { return workflow::verify(directory, files, all); });
+  py::dict verdict = verdict_of(judgement);
+  if (!judgement.read_case) return py::make_tuple(py::none(), verdict);
+  return py::make_tuple(std::make_unique<Solved>(std::move(*judgement.read_case),
+                                                 std::move(judgement.recomputed.result), std::nullopt, nullptr),
+                        verdict);
+}
+
+}  // namespace
+
+}  // namespace plastron::python
+
+PYBIND11_MODULE(_solver, module) {
+  using namespace plastron::python;
+  module.doc() = "Computations.";
+  py::class_<CaseText>(module, "CaseText")
+      .def(py::init([](std::string text, std::string file_name, std::vector<std::string> settings) {
+        return CaseText{std::move(text), std::move(file_name), std::move(settings)};
+      }));
+  py::class_<Followers>(module, "Followers")
+      .def(
+          py::init([](py::object phase, py::object iteration, py::object mesh, py::object instant, py::object warning) {
+            return Followers{std::move(phase), std::move(iteration), std::move(mesh), std::move(instant),
+                             std::move(warning)};
+          }));
+  py::class_<Solved>(module, "Solved")
+      .def_property_readonly("status", &Solved::status)
+      .def_property_readonly("status_text", &Solved::status_text)
+      .def("results_json", &Solved::results_json)
+      .def("finish", &Solved::finish)
+      .def("fields", &Solved::fields, py::arg("scale"))
+      .def("values_at", &Solved::values_at, py::arg("points"), py::arg("heights"));
+  module.def("start_session", &start_session, py::arg("threads"));
+  module.def("end_session", &end_session);
+  module.def("check", &check);
+  module.def("solve", &solve);
+  module.def("verify", &verify);
+  module.def("load", &load);
+  py::module_::import("atexit").attr("register")(module.attr("end_session"));
+}

@@ -1,0 +1,29 @@
+"""Errors and warnings of Plastron."""
+
+
+class PlastronError(Exception):
+    """Base class of all errors of this package."""
+
+
+class CaseError(PlastronError, ValueError):
+    """A case that cannot be solved, in the words of the command line.
+
+    ``mistakes`` lists the mistakes of the text, each with ``file``, ``line``, ``column``, ``what``, ``allowed`` and
+    ``advice``. It is empty for mistakes that only the examination or the solution finds.
+    """
+
+    def __init__(self, text, mistakes=()):
+        super().__init__(text)
+        self.mistakes = list(mistakes)
+
+
+class ResultsError(PlastronError):
+    """Written results that cannot be read, or parts that a result does not have."""
+
+
+class OutputError(PlastronError, OSError):
+    """Results cannot be written."""
+
+
+class PlastronWarning(UserWarning):
+    """A warning about a result: the model, the mesh, or a status other than "solved"."""

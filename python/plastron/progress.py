@@ -1,0 +1,51 @@
+"""Progress of a computation, on a terminal or in a notebook."""
+
+import json
+import sys
+
+
+class Progress:
+    """A bar of tqdm on a terminal and in a notebook, which shows the present part and counts finished meshes or instants. Elsewhere
+    one line for each of these."""
+
+    def __init__(self):
+        self._bar = None
+        if _is_interactive():
+            try:
+                from tqdm.auto import tqdm
+
+                self._bar = tqdm(desc="mesh 0", unit=" done", mininterval=0.1)
+            except ImportError:
+                pass
+
+    def phase(self, level, name):
+        if self._bar is not None:
+            self._bar.set_description_str(f"mesh {level}: {name}", refresh=False)
+            self._bar.update(0)
+
+    def iteration(self, level, text):
+        if self._bar is not None:
+            self._bar.set_postfix_str(f"{json.loads(text).get('active', 0)} nodes in contact", refresh=False)
+            self._bar.update(0)
+
+    def mesh(self, level, text):
+        data = json.loads(text)
+        self._done(f"mesh {level}: {data['unknowns']} unknowns, energy {data['energy']:.9g}, {data['active']} nodes in contact")
+
+    def instant(self, text):
+        data = json.loads(text)
+        self._done(f"step {data['step']}, time {data['time']:g}: energy {data['energy']:.9g}")
+
+    def _done(self, text):
+        if self._bar is not None:
+            self._bar.update(1)
+        else:
+            print(text, file=sys.stderr)
+
+    def close(self):
+        if self._bar is not None:
+            self._bar.close()
+
+
+def _is_interactive():
+    return sys.stderr.isatty() or "ipykernel" in sys.modules

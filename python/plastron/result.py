@@ -1,0 +1,320 @@
+"""Results: numbers with units, fields as arrays, files."""
+
+import html
+import json
+import pathlib
+import shutil
+import weakref
+
+import numpy as np
+
+from . import _case
+from .errors import ResultsError
+
+
+class Record:
+    """A part of results.json: its entries are attributes. ``units`` gives their units, ``to_dict()`` plain values.
+
+    Lists of parts with names, such as the obstacles, are found by name or number: ``result.obstacles["table"].force``.
+    Vectors are NumPy arrays, numbers without a meaning None. ``reaction`` parts have ``force`` and ``moment``, which are also
+    attributes of the part itself.
+    """
+
+    def __init__(self, data, path="", units=None):
+        self._data, self._path, self._units = data, path, units or {}
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        data = self.__dict__["_data"]
+        if name in data:
+            return _wrapped(data[name], _joined(self._path, name), self._units)
+        reaction = data.get("reaction")
+        if isinstance(reaction, dict) and name in reaction:
+            return self.reaction.__getattr__(name)
+        raise AttributeError(f"there is no {_joined(self._path, name)}; there are: {', '.join(data)}")
+
+    def __getitem__(self, name):
+        try:
+            return getattr(self, name)
+        except AttributeError as error:
+            raise KeyError(str(error)) from None
+
+    def __contains__(self, name):
+        return name in self._data
+
+    def __iter__(self):
+        return iter(self._data)
+
+    def __dir__(self):
+        return list(super().__dir__()) + [name for name in self._data if name.isidentifier()]
+
+    def keys(self):
+        return self._data.keys()
+
+    def unit(self, name):
+        """Returns the unit of an entry, or of an entry of its parts: ``unit("energy")``, ``unit("contact.area")``."""
+        path = _joined(self._path, name)
+        try:
+            return self._units[path]
+        except KeyError:
+            raise KeyError(f"{path} has no unit, or does not exist") from None
+
+    def to_dict(self):
+        return json.loads(json.dumps(self._data))
+
+    def __repr__(self):
+        return "\n".join(f"{name}: {value!r}" for name, value in _lines(self._data))
+
+
+class Records:
+    """Parts of one kind. An index is a number, or the name of a part."""
+
+    def __init__(self, data, path, units):
+        self._data, self._path, self._units = data, path, units
+
+    def __len__(self):
+        return len(self._data)
+
+    def __getitem__(self, index):
+        if isinstance(index, str):
+            names = [entry.get("name", entry.get("boundary")) for entry in self._data]
+            if index not in names:
+                raise KeyError(f"{index!r}: the names are {', '.join(map(str, names))}")
+            index = names.index(index)
+        return Record(self._data[index], self._path + "[]", self._units)
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+    def __repr__(self):
+        return "\n\n".join(repr(record) for record in self)
+
+
+class Fields(dict):
+    """The fields at the points of ``mesh``: name -> array, in double precision. ``units`` has their units.
+
+    ``points`` (n x 3) are the places on the deformed mid-surface, ``cells`` (m x k) the points of each cell in VTK's order,
+    ``cell_type`` VTK's number of their kind, ``of_cells`` the fields with one value for each cell. On several ranks these are
+    the cells of this rank. Each cell has its own points, because resultants jump between cells. The arrays own their memory.
+    """
+
+    def __init__(self, native):
+        super().__init__({name: array for name, _, array in native["point_arrays"]})
+        self.units = {name: unit for name, unit, _ in native["point_arrays"] + native["cell_arrays"]}
+        self.of_cells = {name: array for name, _, array in native["cell_arrays"]}
+        self.points, self.cells, self.cell_type = native["points"], native["cells"], native["cell_type"]
+        for array, unit in (("displacement", "u"), ("rotation", "r")):
+            if array in self:
+                self.setdefault(unit, self[array])
+
+
+class Values(dict):
+    """Fields at chosen points: name -> array. ``units`` has their units."""
+
+    def __init__(self, native):
+        super().__init__({name: array for name, _, array in native})
+        self.units = {name: unit for name, unit, _ in native}
+        for array, short in (("displacement", "u"), ("rotation", "r")):
+            if array in self:
+                self.setdefault(short, self[array])
+
+    def to_dataframe(self):
+        """Returns a pandas.DataFrame: a row for each point, components of vectors as name_x, name_y, name_z."""
+        import pandas
+
+        columns = {}
+        for name, array in self.items():
+            if array.ndim == 1:
+                columns[name] = array
+            else:
+                columns.update({f"{name}_{axis}": array[:, k] for k, axis in enumerate("xyz")})
+        return pandas.DataFrame(columns)
+
+
+class Result(Record):
+    """A result. Numbers are attributes under the names of results.json: ``result.energy``, ``result.contact.area``,
+    ``result.obstacles["table"].force``, ``result.certificate``, ``result.estimates``, ``result.probes.bottom.u``.
+
+    ``status`` is "solved" if every limit is met; other words say what is missing (``status_text``). ``unit("energy")`` is the
+    unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere.
+    """
+
+    def __init__(self, native, case, data, directory, owns_directory):
+        super().__init__(data, "", data.get("units", {}))
+        self._native, self._case, self._directory = native, case, pathlib.Path(directory)
+        self._is_complete = not owns_directory and (self._directory / "results.json").exists()
+        self._fields = None
+        if owns_directory:
+            weakref.finalize(self, shutil.rmtree, self._directory, ignore_errors=True)
+
+    @property
+    def case(self):
+        """The case that was solved."""
+        return self._case
+
+    @property
+    def status_text(self):
+        """One or two sentences on how the computation ended."""
+        return self._solution().status_text
+
+    @property
+    def is_solved(self):
+        """Whether every limit is met."""
+        return self.status == "solved"
+
+    def _solution(self):
+        if self._native is None:
+            raise ResultsError("these results have no solution")
+        return self._native
+
+    @property
+    def fields(self):
+        """All fields of the last solution, as arrays (Fields)."""
+        if self._fields is None:
+            self._fields = Fields(self._solution().fields(1.0))
+        return self._fields
+
+    def at(self, points, heights=()):
+        """Returns all fields at points: n x 2 parameters (x, y), or n x 3 places in space, of which the nearest points of the
+        mid-surface count. ``heights``: z / e of further stresses. Collective."""
+        points = np.atleast_2d(np.asarray(points, dtype=float))
+        return Values(self._solution().values_at(points, [float(z) for z in heights]))
+
+    def along(self, start, end, points=101, heights=()):
+        """Returns all fields at equidistant points between two points, as ``at()`` does."""
+        start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+        t = np.linspace(0, 1, points)[:, None]
+        return self.at((1 - t) * start + t * end, heights)
+
+    def row(self):
+        """Returns all numbers as a flat dictionary, with the column names of history.csv."""
+        return {name: parsed(text) for name, text in _case.result_row(json.dumps(self._data))}
+
+    def to_dataframe(self):
+        """Returns the instants of a case with steps as a pandas.DataFrame, or the numbers of the result in one row."""
+        import pandas
+
+        if self._data.get("history"):
+            self._complete()
+            return pandas.read_csv(self._directory / "history.csv")
+        return pandas.DataFrame([self.row()])
+
+    def to_meshio(self):
+        """Returns a meshio.Mesh of the deformed mid-surface, with all fields."""
+        import meshio
+
+        fields = self.fields
+        kind = {69: "VTK_LAGRANGE_TRIANGLE", 70: "VTK_LAGRANGE_QUADRILATERAL"}[fields.cell_type]
+        of_cells = {name: [array] for name, array in fields.of_cells.items()}
+        return meshio.Mesh(fields.points, [(kind, fields.cells)], point_data=dict(fields), cell_data=of_cells)
+
+    def to_pyvista(self):
+        """Returns a pyvista.UnstructuredGrid of the deformed mid-surface, with all fields."""
+        import pyvista
+
+        fields = self.fields
+        count, size = fields.cells.shape
+        cells = np.hstack([np.full((count, 1), size), fields.cells]).ravel()
+        grid = pyvista.UnstructuredGrid(cells, np.full(count, fields.cell_type), fields.points)
+        for name, array in fields.items():
+            grid.point_data[name] = array
+        for name, array in fields.of_cells.items():
+            grid.cell_data[name] = array
+        return grid
+
+    @property
+    def directory(self):
+        """The folder with the result's files, which are those of the command line."""
+        self._complete()
+        return self._directory
+
+    def save(self, directory):
+        """Writes the files that ``plastron run`` writes: results.json, report.html, .vtu, tables. Returns the folder."""
+        self._complete()
+        target = pathlib.Path(directory)
+        target.mkdir(parents=True, exist_ok=True)
+        if target.resolve() != self._directory.resolve():
+            names = json.loads((self._directory / "results.json").read_text())["files"]
+            for name in [name for name in names if name != "results.json"] + ["results.json"]:
+                if (self._directory / name).exists():
+                    shutil.copy2(self._directory / name, target / name)
+        return target
+
+    def verify(self):
+        """Computes the certificate again from the files, and returns the Verification."""
+        from .solving import verify
+
+        return verify(self.directory)
+
+    def _complete(self):
+        if not self._is_complete:
+            self._solution().finish()
+            self._is_complete = True
+
+    def __repr__(self):
+        return f"<plastron.Result of {self._case!r}: {self.status}>"
+
+    def _repr_html_(self):
+        """The summary and the interactive view in a notebook: the report's own page."""
+        numbers = "".join(
+            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self._units.get(name, ''))}</td></tr>"
+            for name, value in _summary(self._data)
+        )
+        head = f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"
+        self._complete()
+        report = self._directory / "report.html"
+        if not report.exists():
+            return head
+        page = html.escape(report.read_text(encoding="utf-8"), quote=True)
+        return head + f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:1px solid #ccc"></iframe>'
+
+
+def _summary(data):
+    """Returns the numbers of the summary: (path, value)."""
+    paths = ["energy", "max_displacement", "contact.area", "contact.max_pressure", "stress.max_von_mises"]
+    for path in paths:
+        value = data
+        for part in path.split("."):
+            value = value.get(part) if isinstance(value, dict) else None
+        if isinstance(value, (int, float)):
+            yield path, value
+
+
+def _joined(path, name):
+    return f"{path}.{name}" if path else name
+
+
+def _wrapped(value, path, units):
+    if isinstance(value, dict):
+        return Record(value, path, units)
+    if isinstance(value, list):
+        if value and all(isinstance(entry, dict) for entry in value):
+            return Records(value, path, units)
+        if value and all(isinstance(entry, (int, float)) or entry is None for entry in value):
+            return np.array([np.nan if entry is None else entry for entry in value])
+    return value
+
+
+def _lines(data, path=""):
+    for name, value in data.items():
+        if isinstance(value, dict):
+            yield from _lines(value, _joined(path, name))
+        elif isinstance(value, list) and value and isinstance(value[0], dict):
+            yield _joined(path, name), f"{len(value)} parts"
+        else:
+            yield _joined(path, name), value
+
+
+def parsed(text):
+    """Returns a cell of a table as a number, a truth value, None or a text."""
+    if text == "":
+        return None
+    if text in ("true", "false"):
+        return text == "true"
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text

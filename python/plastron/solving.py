@@ -1,0 +1,155 @@
+"""Solving, loading and verifying."""
+
+import json
+import pathlib
+import tempfile
+import warnings
+
+from .case import Case
+from .errors import PlastronWarning, ResultsError
+from .progress import Progress
+from .result import Record, Result
+
+
+def solve(
+    case,
+    *,
+    output=None,
+    report=True,
+    progress=False,
+    on_mesh=None,
+    on_iteration=None,
+    on_instant=None,
+    comm="world",
+    threads=0,
+):
+    """Solves a case and returns its Result.
+
+    output: folder for the files that ``plastron run`` writes. Without it they are written when they are needed.
+    report: whether report.html is one of them.
+    progress: shows a line of progress (with tqdm a bar).
+    on_mesh(number, record), on_iteration(number, record), on_instant(record): functions that follow the computation; the
+        records have the entries of levels[], levels[].history[] and history[] of results.json. An exception ends it.
+    comm: "world", "self", or a communicator of mpi4py. The function is collective on it.
+    threads: largest number of threads; 0: by the amount of work. It counts only before the first computation.
+
+    Ctrl-C ends the computation after the present step: the result is that of the last finished mesh, with the status
+    "interrupted". Warnings are PlastronWarning. Raises CaseError for a case that cannot be solved, OutputError where files
+    cannot be written, and KeyboardInterrupt where no mesh was finished.
+    """
+    from . import _solver
+
+    if not isinstance(case, Case):
+        raise TypeError(f"solve() takes a plastron.Case, not {type(case).__name__}; Case.read() reads a file")
+    _solver.start_session(threads)
+    bar = Progress() if progress else None
+    told = set()
+
+    def warn(text):
+        told.add(text)
+        warnings.warn(text, PlastronWarning, stacklevel=3)
+
+    followers = _solver.Followers(
+        bar.phase if bar else None,
+        _both(bar and bar.iteration, _with_record(on_iteration)),
+        _both(bar and bar.mesh, _with_record(on_mesh)),
+        _both(bar and bar.instant, on_instant and (lambda text: on_instant(Record(json.loads(text))))),
+        warn,
+    )
+    directory = pathlib.Path(output) if output is not None else pathlib.Path(tempfile.mkdtemp(prefix="plastron-"))
+    try:
+        native, interrupted = _solver.solve(
+            case._native(), str(directory), output is None, report, comm, followers
+        )
+        if interrupted and native.status == "interrupted" and not json.loads(native.results_json()).get("levels"):
+            raise KeyboardInterrupt
+    except BaseException:
+        if output is None:
+            _remove(directory)
+        raise
+    finally:
+        if bar:
+            bar.close()
+    data = _read_results(directory) if output is not None else json.loads(native.results_json())
+    for text in data.get("warnings", []):
+        if text not in told:
+            warn(text)
+    if native.status != "solved":
+        warn(f"{native.status}: {native.status_text}")
+    return Result(native, case, data, directory, output is None)
+
+
+def load(directory, files=None, comm="world"):
+    """Loads written results. Their numbers are those of results.json. The solution is read, and verified on the way: a failure
+    is a PlastronWarning. ``files``: folder of the files that the case names, if they have moved."""
+    from . import _solver
+
+    folder = pathlib.Path(directory)
+    data = _read_results(folder)
+    native, verdict = _solver.load(str(folder), str(files or ""), comm)
+    for text in verdict["failures"]:
+        warnings.warn(f"{folder}: {text}", PlastronWarning, stacklevel=2)
+    case = Case.from_text((folder / data["verification"]["case"]["copy"]).read_text(), folder / "solution.case.toml")
+    return Result(native, case, data, folder, False)
+
+
+class Verification:
+    """The judgement of ``plastron verify``. ``failures`` says in words what fails; ``rows`` are the rows of the certificate (row,
+    value, limit, is_least, unit, holds), ``numbers`` the compared numbers (path, recomputed, claimed, tolerance, agrees)."""
+
+    def __init__(self, verdict):
+        self.failures = list(verdict["failures"])
+        self.rows = list(verdict["rows"])
+        self.numbers = [
+            (path, json.loads(recomputed), json.loads(claimed), tolerance, agrees)
+            for path, recomputed, claimed, tolerance, agrees in verdict["numbers"]
+        ]
+
+    @property
+    def has_passed(self):
+        return not self.failures
+
+    def __bool__(self):
+        return self.has_passed
+
+    def __repr__(self):
+        return "PASSED" if self.has_passed else "FAILED: " + "; ".join(self.failures)
+
+
+def verify(directory, files=None, comm="world"):
+    """Computes the certificate of written results again from the files, as ``plastron verify`` does, and compares them. Raises
+    ResultsError where there is nothing to verify."""
+    from . import _solver
+
+    return Verification(_solver.verify(str(directory), str(files or ""), comm))
+
+
+def _read_results(folder):
+    try:
+        return json.loads((folder / "results.json").read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise ResultsError(f"{folder} has no results.json; give the folder that plastron wrote") from None
+    except ValueError as error:
+        raise ResultsError(f"{folder / 'results.json'} is no JSON: {error}") from None
+
+
+def _with_record(function):
+    return function and (lambda number, text: function(number, Record(json.loads(text))))
+
+
+def _both(first, second):
+    functions = [f for f in (first, second) if f]
+    if not functions:
+        return None
+
+    def call(*arguments):
+        for function in functions:
+            function(*arguments)
+
+    return call
+
+
+def _remove(directory):
+    import shutil
+
+    shutil.rmtree(directory, ignore_errors=True)

@@ -1,0 +1,214 @@
+"""Many cases that differ in some values: sweeps and combinations of loads."""
+
+import concurrent.futures
+import hashlib
+import itertools
+import json
+import os
+import pathlib
+
+from . import _case, toml_text
+from .case import Case
+from .errors import CaseError
+from .result import parsed
+
+REFUSED = "refused"
+
+
+class Table:
+    """The rows of a sweep. ``table["energy"]`` is a column as a list, ``table.rows`` has a dictionary for each case: the values
+    of the parameters, then the numbers of the result under the names of history.csv. ``status`` is "refused" for a case that
+    cannot be solved, with the reason under ``error``."""
+
+    def __init__(self, parameters, texts, errors):
+        self.parameters = list(parameters)
+        self._texts = texts
+        self.rows = [{name: parsed(text) for name, text in row.items()} for row in texts]
+        for row, error in zip(self.rows, errors):
+            if error:
+                row["error"] = error
+
+    def __len__(self):
+        return len(self.rows)
+
+    def __getitem__(self, column):
+        if column not in self.columns:
+            raise KeyError(f"{column!r}: there is no such column; the first are {', '.join(self.columns[:12])}")
+        return [row.get(column) for row in self.rows]
+
+    @property
+    def columns(self):
+        names = list(self.parameters)
+        for row in self._texts:
+            names += [name for name in row if name not in names]
+        return names
+
+    def to_dataframe(self):
+        import pandas
+
+        return pandas.DataFrame([{name: row.get(name) for name in self.columns} for row in self.rows])
+
+    def to_csv(self, path=None):
+        """Writes the table as ``plastron sweep`` does, or returns its text without a path."""
+        lines = [self.columns] + [[row.get(name, "") for name in self.columns] for row in self._texts]
+        text = "".join(",".join(_case.csv_cell(cell) for cell in line) + "\n" for line in lines)
+        if path is None:
+            return text
+        pathlib.Path(path).write_text(text, encoding="utf-8")
+        return None
+
+    def __repr__(self):
+        return f"<plastron.Table: {len(self)} cases over {', '.join(self.parameters)}>"
+
+    def _repr_html_(self):
+        return self.to_dataframe()._repr_html_()
+
+
+def sweep(case, parameters, *, pairwise=False, executor=None, workers=None, directory=None, report=False, progress=False):
+    """Solves a case for all combinations of values, and returns a Table.
+
+    parameters: a dictionary key -> values, such as ``{"shell.thickness": [0.01, 0.02], "load[0].pressure": [1, 2]}``. The last
+        key changes fastest. With ``pairwise`` the first values belong together, the second ones, and so on.
+    executor: any executor in the form of concurrent.futures; without one, as many processes as there are cores (``workers``).
+        0 or 1 workers solve the cases in this process.
+    directory: folder in which each case has a folder 0001, 0002, ... with its files. A case that is solved there already is not
+        solved again, so that an interrupted sweep goes on. ``plastron sweep`` uses the same folders.
+    report: whether each of these has a report.html.
+    progress: shows the number of finished cases.
+
+    Cases that cannot be solved are rows with the status "refused".
+    """
+    settings = [
+        {key: value for key, value in zip(parameters, values)}
+        for values in (zip(*parameters.values()) if pairwise else itertools.product(*parameters.values()))
+    ]
+    return _solve_members(_members(case, settings), list(parameters), executor, workers, directory, report, progress)
+
+
+def combine(case, combinations, *, executor=None, workers=None, directory=None, report=False, progress=False):
+    """Solves a case for combinations of its loads: ``{"wind": {"load[0]": 1.35, "load[1]": 0.9, "gravity": 1}}``. Loads that a
+    combination does not name have the factor 0. Contact and finite rotations are not linear, so that each is solved by itself.
+    Returns a Table with the column ``combination``; the other options are those of sweep()."""
+    members = []
+    for name, factors in combinations.items():
+        member = case.copy()
+        for key, value in load_settings(case, factors).items():
+            member[key] = value
+        members.append(({"combination": name}, member))
+    return _solve_members(members, ["combination"], executor, workers, directory, report, progress)
+
+
+def load_settings(case, factors):
+    """Returns settings that multiply the loads of a case: key -> value."""
+    known = [f"load[{i}]" for i in range(len(case.to_dict().get("load") or []))] + ["gravity"] * ("gravity" in case)
+    for name in factors:
+        if name not in known:
+            raise CaseError(f"{name}: the case has no such load; it has {', '.join(known) or 'none'}")
+    settings = {}
+    for name in known:
+        for key, value in case[name].items():
+            if key in ("force", "pressure", "moment", "acceleration", "couple") and value is not None:
+                settings[f"{name}.{key}"] = _scaled(value, factors.get(name, 0))
+    return settings
+
+
+def _scaled(value, factor):
+    if isinstance(value, str):
+        return f"{float(factor)!r} * ({value})"
+    if isinstance(value, (list, tuple)):
+        return [_scaled(entry, factor) for entry in value]
+    return value * factor
+
+
+def _members(case, all_settings):
+    if not isinstance(case, Case):
+        raise TypeError(f"sweep() takes a plastron.Case, not {type(case).__name__}; Case.read() reads a file")
+    members = []
+    for settings in all_settings:
+        try:
+            members.append((settings, case.with_settings(settings)))
+        except CaseError as error:
+            members.append((settings, error))
+    return members
+
+
+def _solve_members(members, names, executor, workers, directory, report, progress):
+    folders = [os.path.join(directory, f"{i + 1:04}") if directory else None for i in range(len(members))]
+    outcomes = [None] * len(members)
+    waiting = []
+    for i, (_, member) in enumerate(members):
+        if isinstance(member, CaseError):
+            outcomes[i] = (None, str(member))
+        elif folders[i] and _results_in(folders[i], member):
+            outcomes[i] = (_row(_results_in(folders[i], member)), None)
+        else:
+            waiting.append(i)
+    bar = _bar(len(members), len(members) - len(waiting)) if progress else None
+    if executor is None and (len(waiting) < 2 or (workers is not None and workers < 2)):
+        for i in waiting:
+            outcomes[i] = _solve_one(members[i][1].__getstate__(), folders[i], report)
+            bar and bar.update(1)
+    else:
+        owned = None
+        if executor is None:
+            owned = executor = concurrent.futures.ProcessPoolExecutor(min(workers or _cores(), len(waiting)))
+        try:
+            futures = {
+                executor.submit(_solve_one, members[i][1].__getstate__(), folders[i], report): i for i in waiting
+            }
+            for future in concurrent.futures.as_completed(futures):
+                outcomes[futures[future]] = future.result()
+                bar and bar.update(1)
+        finally:
+            if owned:
+                owned.shutdown(cancel_futures=True)
+    bar and bar.close()
+    texts = []
+    for (settings, _), (row, _) in zip(members, outcomes):
+        texts.append({name: _text(settings[name]) for name in names} | (row or {"status": REFUSED}))
+    return Table(names, texts, [error for _, error in outcomes])
+
+
+def _solve_one(state, folder, report):
+    """Solves a case in a process of an executor: returns (row, None), or (None, error)."""
+    import warnings
+
+    from .solving import solve
+
+    case = Case.__new__(Case)
+    try:
+        case.__setstate__(state)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            result = solve(case, output=folder, report=report, comm="self", threads=1)
+        return _row(result._data), None
+    except CaseError as error:
+        return None, str(error)
+
+
+def _row(results):
+    return dict(_case.result_row(json.dumps(results)))
+
+
+def _results_in(folder, case):
+    """Returns the results of the same case in a folder; None if there are none."""
+    try:
+        results = json.loads((pathlib.Path(folder) / "results.json").read_text(encoding="utf-8"))
+        same = results["verification"]["case"]["sha256"] == hashlib.sha256(case.text.encode()).hexdigest()
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+    return results if same else None
+
+
+def _text(value):
+    return value if isinstance(value, str) else toml_text.value(value)
+
+
+def _cores():
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _bar(total, done):
+    from tqdm.auto import tqdm
+
+    return tqdm(total=total, initial=done, unit=" cases")

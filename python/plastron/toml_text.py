@@ -1,0 +1,56 @@
+"""TOML text of Python values. The standard library only reads TOML."""
+
+import math
+import numbers
+
+
+def value(given):
+    """Returns a value in one line of TOML. Lists may be NumPy arrays; tables are inline."""
+    if isinstance(given, str):
+        return '"' + "".join(_escaped(c) for c in given) + '"'
+    if hasattr(given, "tolist"):  # arrays and numbers of NumPy
+        return value(given.tolist())
+    if isinstance(given, bool):
+        return "true" if given else "false"
+    if isinstance(given, numbers.Integral):
+        return str(int(given))
+    if isinstance(given, numbers.Real):
+        number = float(given)
+        return repr(number) if math.isfinite(number) else str(number)
+    if isinstance(given, dict):
+        return "{ " + ", ".join(f"{key(k)} = {value(v)}" for k, v in given.items()) + " }" if given else "{}"
+    if isinstance(given, (list, tuple)):
+        return "[" + ", ".join(value(v) for v in given) + "]"
+    raise TypeError(f"a case has texts, numbers, lists and tables, not {type(given).__name__}: {given!r}")
+
+
+def key(name):
+    """Returns a key, in quotes where TOML wants them."""
+    plain = name and all(c.isascii() and (c.isalnum() or c in "_-") for c in name)
+    return name if plain else value(name)
+
+
+def document(tables):
+    """Returns the text of a file: values first, then a section for each table, and for each table of a list."""
+    head = [f"{key(k)} = {value(v)}" for k, v in tables.items() if not _is_section(v)]
+    parts = ["\n".join(head)] if head else []
+    for name, given in tables.items():
+        if not _is_section(given):
+            continue
+        bracket = "[[{}]]" if isinstance(given, (list, tuple)) else "[{}]"
+        for table in given if isinstance(given, (list, tuple)) else [given]:
+            parts.append("\n".join([bracket.format(key(name))] + [f"{key(k)} = {value(v)}" for k, v in table.items()]))
+    return "\n\n".join(parts) + "\n"
+
+
+def _is_section(given):
+    return isinstance(given, dict) or (
+        isinstance(given, (list, tuple)) and len(given) > 0 and all(isinstance(entry, dict) for entry in given)
+    )
+
+
+def _escaped(c):
+    named = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+    if c in named:
+        return named[c]
+    return c if c.isprintable() or ord(c) > 0x7F else f"\\u{ord(c):04x}"

@@ -1,0 +1,90 @@
+#include <plastron/workflow/read.hpp>
+
+#include <plastron/algebra/agreement.hpp>
+#include <plastron/domain/domain_mesh.hpp>
+#include <plastron/obstacle/error.hpp>
+
+#include <utility>
+
+namespace plastron::workflow {
+
+namespace {
+
+// Packs findings so that the first rank can send them: for each a letter for its severity, its text and a zero.
+std::string in_one_text(const std::vector<examination::Finding>& findings) {
+  std::string all;
+  for (const examination::Finding& finding : findings) {
+    all += static_cast<char>('0' + static_cast<int>(finding.severity));
+    all += finding.text;
+    all += '\0';
+  }
+  return all;
+}
+
+std::vector<examination::Finding> from_one_text(const std::string& all) {
+  std::vector<examination::Finding> findings;
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = all.find('\0', at);
+    findings.push_back({static_cast<examination::Severity>(all[at] - '0'), all.substr(at + 1, end - at - 1)});
+    at = end + 1;
+  }
+  return findings;
+}
+
+bool is_first_rank(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank == 0;
+}
+
+}  // namespace
+
+config::Case read_together(const std::function<config::Case()>& read, MPI_Comm comm) {
+  config::Case c = algebra::in_agreement<RefusedCase>(comm, [&] {
+    try {
+      return read();
+    } catch (const config::CaseErrors& errors) {
+      throw RefusedCase(errors.format());
+    }
+  });
+  c.problem.domain = domain::with_shared_mesh(std::move(c.problem.domain), c.problem.discretisation.cells, comm);
+  try {
+    problem::locate_points(c.problem);
+  } catch (const mesh::DomainError&) {  // the examination and the solution report what is wrong with the mesh
+  }
+  return c;
+}
+
+std::vector<examination::Finding> examine_together(
+    const std::function<std::vector<examination::Finding>()>& examination, MPI_Comm comm) {
+  const auto mine = algebra::in_agreement<mesh::DomainError, obstacle::ObstacleError>(
+      comm, [&] { return is_first_rank(comm) ? examination() : std::vector<examination::Finding>{}; });
+  return from_one_text(algebra::first_words(in_one_text(mine), comm));
+}
+
+const char* to_string(examination::Severity severity) {
+  switch (severity) {
+    case examination::Severity::error:
+      return "error";
+    case examination::Severity::warning:
+      return "warning";
+    case examination::Severity::note:
+      break;
+  }
+  return "note";
+}
+
+io::CaseSource source_of(const config::Case& c, const std::filesystem::path& case_file,
+                         const std::vector<std::string>& settings, MPI_Comm comm) {
+  auto source = algebra::in_agreement(comm, [&] { return io::case_source(case_file, c.text, c.files); });
+  source.settings = settings;
+  return source;
+}
+
+std::vector<std::filesystem::path> inputs_of(const config::Case& c, const std::filesystem::path& case_file) {
+  std::vector<std::filesystem::path> inputs{case_file};
+  for (const auto& [name, path] : c.files) inputs.push_back(path);
+  return inputs;
+}
+
+}  // namespace plastron::workflow

@@ -1,0 +1,50 @@
+#include <plastron/workflow/solve.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plastron::workflow {
+
+computation::Result solve(const config::Case& c, const std::vector<examination::Finding>& findings, io::Output& files,
+                          MPI_Comm comm, computation::Observer observer) {
+  observer.instant = [&files, told = std::move(observer.instant)](const computation::HistoryEntry& entry,
+                                                                  const computation::Solution& solution) {
+    files.add_instant(entry, solution);
+    if (told) told(entry, solution);
+  };
+  computation::Result result = computation::solve(c.problem, comm, observer);
+  for (const examination::Finding& finding : findings)
+    if (finding.severity == examination::Severity::warning && std::ranges::count(result.warnings, finding.text) == 0)
+      result.warnings.push_back(finding.text);
+  return result;
+}
+
+io::Provenance provenance_of(const config::Case& c, io::CaseSource source) {
+  return {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)};
+}
+
+bool is_refused(contact::Status status) { return status == contact::Status::infeasible; }
+
+std::string refusal(const computation::Result& result) {
+  const std::string where =
+      result.history.empty()
+          ? ""
+          : fmt::format("in step \"{}\", at time {:g}: ", result.history.back().step, result.history.back().time);
+  return where + std::string(contact::explain(result.status));
+}
+
+std::vector<std::string> settings_for_modes(const problem::Problem& problem, int buckling, int vibration) {
+  const bool asks_for_none = problem.modes.buckling == 0 && problem.modes.vibration == 0;
+  std::vector<std::string> settings;
+  const auto set = [&](const char* key, int asked, bool is_possible) {
+    if (asked < 0 && !(asks_for_none && is_possible)) return;
+    constexpr int usual = 6;
+    settings.push_back(fmt::format("modes.{}={}", key, asked < 0 ? usual : asked));
+  };
+  set("buckling", buckling, true);
+  set("vibration", vibration, problem.shell.sections.has_mass());
+  return settings;
+}
+
+}  // namespace plastron::workflow
