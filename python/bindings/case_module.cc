@@ -1,6 +1,7 @@
 // plastron._case: reading of cases, and the declarations of the case file and of results.json. It loads no solver, so that
 // `import plastron` takes little time.
 #include "exceptions.hpp"
+#include "functions.hpp"
 
 #include <plastron/config/case.hpp>
 #include <plastron/config/schema.hpp>
@@ -29,6 +30,8 @@ py::tuple read(const std::string& text, const std::string& file_name, const std:
     return py::make_tuple(c.effective.dump(), c.text, files);
   } catch (const config::CaseErrors& errors) {
     throw_case_error(errors);
+  } catch (const geometry::FunctionError& error) {
+    raise("CaseError", file_name + ": error: " + error.what() + "\n");
   }
 }
 
@@ -55,6 +58,8 @@ PYBIND11_MODULE(_case, module) {
   namespace py = pybind11;
   module.doc() = "Cases and declarations, without the solver.";
   module.def("read", &python::read, py::arg("text"), py::arg("file_name"), py::arg("settings"));
+  module.def("give_function", &python::give_function);
+  module.def("forget_function", &geometry::forget_function);
   module.def("declarations", &python::declarations);
   module.def("result_row", [](const std::string& results) { return io::result_row(io::Json::parse(results)); });
   module.def("csv_cell", &io::csv_cell);

@@ -1,5 +1,6 @@
 // plastron._solver: examination, solution, verification and evaluation of cases.
 #include "exceptions.hpp"
+#include "functions.hpp"
 #include "session.hpp"
 #include "solved.hpp"
 
@@ -58,6 +59,8 @@ auto computing(Work&& work) {
   } catch (const obstacle::ObstacleError& error) {
     refuse(std::string("error: ") + error.what() + "\n");
   } catch (const assembly::LoadError& error) {
+    refuse(std::string("error: ") + error.what() + "\n");
+  } catch (const geometry::FunctionError& error) {
     refuse(std::string("error: ") + error.what() + "\n");
   } catch (const io::UnusableResults& error) {
     raise("ResultsError", error.what());
@@ -247,6 +250,8 @@ PYBIND11_MODULE(_solver, module) {
       .def("finish", &Solved::finish)
       .def("fields", &Solved::fields, py::arg("scale"))
       .def("values_at", &Solved::values_at, py::arg("points"), py::arg("heights"));
+  module.def("give_function", &give_function);
+  module.def("forget_function", &plastron::geometry::forget_function);
   module.def("start_session", &start_session, py::arg("threads"));
   module.def("end_session", &end_session);
   module.def("check", &check);

@@ -18,7 +18,10 @@ _LAZY = {
     "load": "solving",
     "verify": "solving",
     "Verification": "solving",
+    "Function": "functions",
+    "components": "functions",
     "sweep": "sweeping",
+    "combine": "sweeping",
     "Table": "sweeping",
     "sections": "sections",
 }

@@ -1,12 +1,20 @@
 """Cases: what is to be computed."""
 
+from __future__ import annotations
+
 import json
 import os
 import pathlib
 import re
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Union
 
 from . import _case, toml_text
 from .errors import CaseError
+
+if TYPE_CHECKING:
+    from .result import Result
+
+Path = Union[str, "os.PathLike[str]"]
 
 _PART = re.compile(r"^([^.\[\]]+)((?:\[\d+\])*)$")
 
@@ -14,14 +22,14 @@ _PART = re.compile(r"^([^.\[\]]+)((?:\[\d+\])*)$")
 class Finding:
     """One finding of an examination: ``severity`` is "error", "warning" or "note"."""
 
-    def __init__(self, severity, text):
+    def __init__(self, severity: str, text: str) -> None:
         self.severity = severity
         self.text = text
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"{self.severity}: {self.text}"
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Finding) and (self.severity, self.text) == (other.severity, other.text)
 
 
@@ -34,14 +42,16 @@ class Case:
 
     ``case["shell.thickness"]`` is the value in force, also where it is a default. ``case["shell.thickness"] = 0.01`` replaces
     it; ``case["load[0].pressure"]`` is a key of the first [[load]]. Cases are checked at once: unknown keys and bad values
-    raise CaseError, with the words of the command line.
+    raise CaseError, with the words of the command line. Functions of Python may stand for expressions of x, y, X, Y, Z: see
+    plastron.Function.
     """
 
-    def __init__(self, **sections):
-        self._set(toml_text.document(sections), "case.toml", [])
+    def __init__(self, **sections: Any) -> None:
+        functions: dict[str, Any] = {}
+        self._set(toml_text.document(sections, functions), "case.toml", [], functions)
 
     @classmethod
-    def read(cls, path, settings=()):
+    def read(cls, path: Path, settings: Iterable[str] = ()) -> Case:
         """Reads a case file. ``settings`` are texts such as "shell.thickness=0.01", as after --set."""
         path = pathlib.Path(path)
         try:
@@ -53,54 +63,63 @@ class Case:
         return cls.from_text(text, path, settings)
 
     @classmethod
-    def from_text(cls, text, file_name="case.toml", settings=()):
+    def from_text(cls, text: str, file_name: Path = "case.toml", settings: Iterable[str] = ()) -> Case:
         """Reads a case from the text of a case file. Other files that it names are sought in the folder of ``file_name``."""
         case = cls.__new__(cls)
         case._set(text, os.fspath(file_name), list(settings))
         return case
 
     @classmethod
-    def from_dict(cls, sections, folder="."):
+    def from_dict(cls, sections: Mapping[str, Any], folder: Path = ".") -> Case:
         """Makes a case from a dictionary in the form of the case file. Files that it names are sought in ``folder``."""
-        return cls.from_text(toml_text.document(sections), pathlib.Path(folder) / "case.toml")
+        functions: dict[str, Any] = {}
+        text = toml_text.document(sections, functions)
+        case = cls.__new__(cls)
+        case._set(text, os.fspath(pathlib.Path(folder) / "case.toml"), [], functions)
+        return case
 
-    def _set(self, text, file_name, settings):
+    def _set(self, text: str, file_name: str, settings: list[str], functions: dict[str, Any] | None = None) -> None:
+        functions = functions or {}
+        if functions:
+            from .functions import give
+
+            give(functions)
         effective, self._text, files = _case.read(text, file_name, settings)
-        self._given, self._file_name, self._settings = text, file_name, settings
+        self._given, self._file_name, self._settings, self._functions = text, file_name, settings, functions
         self._effective = json.loads(effective)
         self._files = dict(files)
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The text of the case file, with the settings."""
         return self._text
 
     @property
-    def file_name(self):
+    def file_name(self) -> str:
         """The name of the case file, or "case.toml" for a case that has none."""
         return self._file_name
 
     @property
-    def title(self):
+    def title(self) -> str:
         """The title, or ""."""
-        return self._effective.get("title", "")
+        return str(self._effective.get("title", ""))
 
     @property
-    def settings(self):
+    def settings(self) -> tuple[str, ...]:
         """The settings that replace keys of the text."""
         return tuple(self._settings)
 
     @property
-    def files(self):
+    def files(self) -> dict[str, str]:
         """The files that the case names: name -> path."""
         return dict(self._files)
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Returns all settings with their defaults, in the form of the case file."""
-        return json.loads(json.dumps(self._effective))
+        return dict(json.loads(json.dumps(self._effective)))
 
-    def __getitem__(self, key):
-        value = self._effective
+    def __getitem__(self, key: str) -> Any:
+        value: Any = self._effective
         for part in _parts(key):
             try:
                 value = value[part]
@@ -108,64 +127,70 @@ class Case:
                 raise KeyError(f"{key}: this case has no such key") from None
         return value
 
-    def __setitem__(self, key, value):
+    def __setitem__(self, key: str, value: Any) -> None:
         others = [s for s in self._settings if s.split("=", 1)[0].strip() != key]
-        self._set(self._given, self._file_name, others + [f"{key}={toml_text.value(value)}"])
+        functions = dict(self._functions)
+        setting = f"{key}={toml_text.value(value, functions)}"
+        self._set(self._given, self._file_name, others + [setting], functions)
 
-    def __contains__(self, key):
+    def __contains__(self, key: str) -> bool:
         try:
             self[key]
         except KeyError:
             return False
         return True
 
-    def with_settings(self, settings):
+    def with_settings(self, settings: Mapping[str, Any]) -> Case:
         """Returns a copy with the values of a dictionary: key -> value."""
         copy = self.copy()
         for key, value in settings.items():
             copy[key] = value
         return copy
 
-    def copy(self):
+    def copy(self) -> Case:
         """Returns a copy that can be changed by itself."""
-        return self.from_text(self._given, self._file_name, self._settings)
+        copy = type(self).__new__(type(self))
+        copy.__setstate__(self.__getstate__())
+        return copy
 
     __copy__ = copy
 
-    def __deepcopy__(self, memo):
+    def __deepcopy__(self, memo: Any) -> Case:
         return self.copy()
 
-    def __getstate__(self):
-        return (self._given, self._file_name, self._settings)
+    def __getstate__(self) -> Any:
+        return (self._given, self._file_name, list(self._settings), dict(self._functions))
 
-    def __setstate__(self, state):
+    def __setstate__(self, state: Any) -> None:
         self._set(*state)
 
-    def check(self, comm="world"):
+    def check(self, comm: Any = "world") -> list[Finding]:
         """Examines the case without solving it, and returns the findings: errors, warnings and notes."""
         from . import _solver
 
         return [Finding(severity, text) for severity, text in _solver.check(self._native(), comm)]
 
-    def solve(self, **options):
+    def solve(self, **options: Any) -> Result:
         """Solves the case; the options are those of plastron.solve()."""
         from .solving import solve
 
         return solve(self, **options)
 
-    def _native(self):
+    def _native(self) -> Any:
         from . import _solver
 
+        for function in self._functions.values():
+            function._give(_solver)
         return _solver.CaseText(self._given, self._file_name, self._settings)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         settings = "".join(f", {s}" for s in self._settings)
         return f"<plastron.Case {self.title or self._file_name!r}{settings}>"
 
 
-def _parts(key):
+def _parts(key: str) -> list[Any]:
     """Returns the steps of a key: "load[0].pressure" -> ["load", 0, "pressure"]."""
-    steps = []
+    steps: list[Any] = []
     for part in key.split("."):
         match = _PART.match(part)
         if not match:

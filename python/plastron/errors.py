@@ -1,5 +1,9 @@
 """Errors and warnings of Plastron."""
 
+from __future__ import annotations
+
+from typing import Any, Iterable
+
 
 class PlastronError(Exception):
     """Base class of all errors of this package."""
@@ -12,7 +16,7 @@ class CaseError(PlastronError, ValueError):
     ``advice``. It is empty for mistakes that only the examination or the solution finds.
     """
 
-    def __init__(self, text, mistakes=()):
+    def __init__(self, text: str, mistakes: Iterable[dict[str, Any]] = ()) -> None:
         super().__init__(text)
         self.mistakes = list(mistakes)
 

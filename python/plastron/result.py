@@ -1,15 +1,22 @@
 """Results: numbers with units, fields as arrays, files."""
 
+from __future__ import annotations
+
 import html
 import json
 import pathlib
 import shutil
 import weakref
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator
 
 import numpy as np
 
 from . import _case
 from .errors import ResultsError
+
+if TYPE_CHECKING:
+    from .case import Case, Path
+    from .solving import Verification
 
 
 class Record:
@@ -20,10 +27,10 @@ class Record:
     attributes of the part itself.
     """
 
-    def __init__(self, data, path="", units=None):
+    def __init__(self, data: dict[str, Any], path: str = "", units: dict[str, str] | None = None) -> None:
         self._data, self._path, self._units = data, path, units or {}
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         data = self.__dict__["_data"]
@@ -34,25 +41,25 @@ class Record:
             return self.reaction.__getattr__(name)
         raise AttributeError(f"there is no {_joined(self._path, name)}; there are: {', '.join(data)}")
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Any:
         try:
             return getattr(self, name)
         except AttributeError as error:
             raise KeyError(str(error)) from None
 
-    def __contains__(self, name):
+    def __contains__(self, name: str) -> bool:
         return name in self._data
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._data)
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return list(super().__dir__()) + [name for name in self._data if name.isidentifier()]
 
-    def keys(self):
+    def keys(self) -> Iterable[str]:
         return self._data.keys()
 
-    def unit(self, name):
+    def unit(self, name: str) -> str:
         """Returns the unit of an entry, or of an entry of its parts: ``unit("energy")``, ``unit("contact.area")``."""
         path = _joined(self._path, name)
         try:
@@ -60,23 +67,24 @@ class Record:
         except KeyError:
             raise KeyError(f"{path} has no unit, or does not exist") from None
 
-    def to_dict(self):
-        return json.loads(json.dumps(self._data))
+    def to_dict(self) -> dict[str, Any]:
+        """Returns plain dictionaries, lists and numbers."""
+        return dict(json.loads(json.dumps(self._data)))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "\n".join(f"{name}: {value!r}" for name, value in _lines(self._data))
 
 
 class Records:
     """Parts of one kind. An index is a number, or the name of a part."""
 
-    def __init__(self, data, path, units):
+    def __init__(self, data: list[dict[str, Any]], path: str, units: dict[str, str]) -> None:
         self._data, self._path, self._units = data, path, units
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._data)
 
-    def __getitem__(self, index):
+    def __getitem__(self, index: int | str) -> Record:
         if isinstance(index, str):
             names = [entry.get("name", entry.get("boundary")) for entry in self._data]
             if index not in names:
@@ -84,14 +92,14 @@ class Records:
             index = names.index(index)
         return Record(self._data[index], self._path + "[]", self._units)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Record]:
         return (self[i] for i in range(len(self)))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "\n\n".join(repr(record) for record in self)
 
 
-class Fields(dict):
+class Fields(Dict[str, "np.ndarray[Any, Any]"]):
     """The fields at the points of ``mesh``: name -> array, in double precision. ``units`` has their units.
 
     ``points`` (n x 3) are the places on the deformed mid-surface, ``cells`` (m x k) the points of each cell in VTK's order,
@@ -99,7 +107,7 @@ class Fields(dict):
     the cells of this rank. Each cell has its own points, because resultants jump between cells. The arrays own their memory.
     """
 
-    def __init__(self, native):
+    def __init__(self, native: Any) -> None:
         super().__init__({name: array for name, _, array in native["point_arrays"]})
         self.units = {name: unit for name, unit, _ in native["point_arrays"] + native["cell_arrays"]}
         self.of_cells = {name: array for name, _, array in native["cell_arrays"]}
@@ -109,17 +117,17 @@ class Fields(dict):
                 self.setdefault(unit, self[array])
 
 
-class Values(dict):
+class Values(Dict[str, "np.ndarray[Any, Any]"]):
     """Fields at chosen points: name -> array. ``units`` has their units."""
 
-    def __init__(self, native):
+    def __init__(self, native: Any) -> None:
         super().__init__({name: array for name, _, array in native})
         self.units = {name: unit for name, unit, _ in native}
         for array, short in (("displacement", "u"), ("rotation", "r")):
             if array in self:
                 self.setdefault(short, self[array])
 
-    def to_dataframe(self):
+    def to_dataframe(self) -> Any:
         """Returns a pandas.DataFrame: a row for each point, components of vectors as name_x, name_y, name_z."""
         import pandas
 
@@ -140,58 +148,58 @@ class Result(Record):
     unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere.
     """
 
-    def __init__(self, native, case, data, directory, owns_directory):
+    def __init__(self, native: Any, case: Case, data: dict[str, Any], directory: Path, owns_directory: bool) -> None:
         super().__init__(data, "", data.get("units", {}))
         self._native, self._case, self._directory = native, case, pathlib.Path(directory)
         self._is_complete = not owns_directory and (self._directory / "results.json").exists()
-        self._fields = None
+        self._fields: Fields | None = None
         if owns_directory:
             weakref.finalize(self, shutil.rmtree, self._directory, ignore_errors=True)
 
     @property
-    def case(self):
+    def case(self) -> Case:
         """The case that was solved."""
         return self._case
 
     @property
-    def status_text(self):
+    def status_text(self) -> str:
         """One or two sentences on how the computation ended."""
-        return self._solution().status_text
+        return str(self._data["status_text"])
 
     @property
-    def is_solved(self):
+    def is_solved(self) -> bool:
         """Whether every limit is met."""
-        return self.status == "solved"
+        return bool(self._data["status"] == "solved")
 
-    def _solution(self):
+    def _solution(self) -> Any:
         if self._native is None:
             raise ResultsError("these results have no solution")
         return self._native
 
     @property
-    def fields(self):
+    def fields(self) -> Fields:
         """All fields of the last solution, as arrays (Fields)."""
         if self._fields is None:
             self._fields = Fields(self._solution().fields(1.0))
         return self._fields
 
-    def at(self, points, heights=()):
+    def at(self, points: Any, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at points: n x 2 parameters (x, y), or n x 3 places in space, of which the nearest points of the
         mid-surface count. ``heights``: z / e of further stresses. Collective."""
         points = np.atleast_2d(np.asarray(points, dtype=float))
         return Values(self._solution().values_at(points, [float(z) for z in heights]))
 
-    def along(self, start, end, points=101, heights=()):
+    def along(self, start: Any, end: Any, points: int = 101, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at equidistant points between two points, as ``at()`` does."""
         start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
         t = np.linspace(0, 1, points)[:, None]
         return self.at((1 - t) * start + t * end, heights)
 
-    def row(self):
+    def row(self) -> dict[str, Any]:
         """Returns all numbers as a flat dictionary, with the column names of history.csv."""
         return {name: parsed(text) for name, text in _case.result_row(json.dumps(self._data))}
 
-    def to_dataframe(self):
+    def to_dataframe(self) -> Any:
         """Returns the instants of a case with steps as a pandas.DataFrame, or the numbers of the result in one row."""
         import pandas
 
@@ -200,7 +208,7 @@ class Result(Record):
             return pandas.read_csv(self._directory / "history.csv")
         return pandas.DataFrame([self.row()])
 
-    def to_meshio(self):
+    def to_meshio(self) -> Any:
         """Returns a meshio.Mesh of the deformed mid-surface, with all fields."""
         import meshio
 
@@ -209,7 +217,7 @@ class Result(Record):
         of_cells = {name: [array] for name, array in fields.of_cells.items()}
         return meshio.Mesh(fields.points, [(kind, fields.cells)], point_data=dict(fields), cell_data=of_cells)
 
-    def to_pyvista(self):
+    def to_pyvista(self) -> Any:
         """Returns a pyvista.UnstructuredGrid of the deformed mid-surface, with all fields."""
         import pyvista
 
@@ -224,12 +232,12 @@ class Result(Record):
         return grid
 
     @property
-    def directory(self):
+    def directory(self) -> pathlib.Path:
         """The folder with the result's files, which are those of the command line."""
         self._complete()
         return self._directory
 
-    def save(self, directory):
+    def save(self, directory: Path) -> pathlib.Path:
         """Writes the files that ``plastron run`` writes: results.json, report.html, .vtu, tables. Returns the folder."""
         self._complete()
         target = pathlib.Path(directory)
@@ -241,21 +249,21 @@ class Result(Record):
                     shutil.copy2(self._directory / name, target / name)
         return target
 
-    def verify(self):
+    def verify(self) -> Verification:
         """Computes the certificate again from the files, and returns the Verification."""
         from .solving import verify
 
         return verify(self.directory)
 
-    def _complete(self):
+    def _complete(self) -> None:
         if not self._is_complete:
             self._solution().finish()
             self._is_complete = True
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<plastron.Result of {self._case!r}: {self.status}>"
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         """The summary and the interactive view in a notebook: the report's own page."""
         numbers = "".join(
             f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self._units.get(name, ''))}</td></tr>"
@@ -270,22 +278,22 @@ class Result(Record):
         return head + f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:1px solid #ccc"></iframe>'
 
 
-def _summary(data):
+def _summary(data: dict[str, Any]) -> Iterator[tuple[str, float]]:
     """Returns the numbers of the summary: (path, value)."""
     paths = ["energy", "max_displacement", "contact.area", "contact.max_pressure", "stress.max_von_mises"]
     for path in paths:
-        value = data
+        value: Any = data
         for part in path.split("."):
             value = value.get(part) if isinstance(value, dict) else None
         if isinstance(value, (int, float)):
             yield path, value
 
 
-def _joined(path, name):
+def _joined(path: str, name: str) -> str:
     return f"{path}.{name}" if path else name
 
 
-def _wrapped(value, path, units):
+def _wrapped(value: Any, path: str, units: dict[str, str]) -> Any:
     if isinstance(value, dict):
         return Record(value, path, units)
     if isinstance(value, list):
@@ -296,7 +304,7 @@ def _wrapped(value, path, units):
     return value
 
 
-def _lines(data, path=""):
+def _lines(data: dict[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
     for name, value in data.items():
         if isinstance(value, dict):
             yield from _lines(value, _joined(path, name))
@@ -306,13 +314,14 @@ def _lines(data, path=""):
             yield _joined(path, name), value
 
 
-def parsed(text):
+def parsed(text: str) -> Any:
     """Returns a cell of a table as a number, a truth value, None or a text."""
     if text == "":
         return None
     if text in ("true", "false"):
         return text == "true"
-    for kind in (int, float):
+    kinds: list[Any] = [int, float]
+    for kind in kinds:
         try:
             return kind(text)
         except ValueError:

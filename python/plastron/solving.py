@@ -1,28 +1,31 @@
 """Solving, loading and verifying."""
 
+from __future__ import annotations
+
 import json
 import pathlib
 import tempfile
 import warnings
+from typing import Any, Callable
 
-from .case import Case
+from .case import Case, Path
 from .errors import PlastronWarning, ResultsError
 from .progress import Progress
 from .result import Record, Result
 
 
 def solve(
-    case,
+    case: Case,
     *,
-    output=None,
-    report=True,
-    progress=False,
-    on_mesh=None,
-    on_iteration=None,
-    on_instant=None,
-    comm="world",
-    threads=0,
-):
+    output: Path | None = None,
+    report: bool = True,
+    progress: bool = False,
+    on_mesh: Callable[[int, Record], Any] | None = None,
+    on_iteration: Callable[[int, Record], Any] | None = None,
+    on_instant: Callable[[Record], Any] | None = None,
+    comm: Any = "world",
+    threads: int = 0,
+) -> Result:
     """Solves a case and returns its Result.
 
     output: folder for the files that ``plastron run`` writes. Without it they are written when they are needed.
@@ -43,9 +46,9 @@ def solve(
         raise TypeError(f"solve() takes a plastron.Case, not {type(case).__name__}; Case.read() reads a file")
     _solver.start_session(threads)
     bar = Progress() if progress else None
-    told = set()
+    told: set[str] = set()
 
-    def warn(text):
+    def warn(text: str) -> None:
         told.add(text)
         warnings.warn(text, PlastronWarning, stacklevel=3)
 
@@ -53,7 +56,7 @@ def solve(
         bar.phase if bar else None,
         _both(bar and bar.iteration, _with_record(on_iteration)),
         _both(bar and bar.mesh, _with_record(on_mesh)),
-        _both(bar and bar.instant, on_instant and (lambda text: on_instant(Record(json.loads(text))))),
+        _both(bar and bar.instant, _with_record(on_instant)),
         warn,
     )
     directory = pathlib.Path(output) if output is not None else pathlib.Path(tempfile.mkdtemp(prefix="plastron-"))
@@ -79,7 +82,7 @@ def solve(
     return Result(native, case, data, directory, output is None)
 
 
-def load(directory, files=None, comm="world"):
+def load(directory: Path, files: Path | None = None, comm: Any = "world") -> Result:
     """Loads written results. Their numbers are those of results.json. The solution is read, and verified on the way: a failure
     is a PlastronWarning. ``files``: folder of the files that the case names, if they have moved."""
     from . import _solver
@@ -97,7 +100,7 @@ class Verification:
     """The judgement of ``plastron verify``. ``failures`` says in words what fails; ``rows`` are the rows of the certificate (row,
     value, limit, is_least, unit, holds), ``numbers`` the compared numbers (path, recomputed, claimed, tolerance, agrees)."""
 
-    def __init__(self, verdict):
+    def __init__(self, verdict: dict[str, Any]) -> None:
         self.failures = list(verdict["failures"])
         self.rows = list(verdict["rows"])
         self.numbers = [
@@ -106,17 +109,17 @@ class Verification:
         ]
 
     @property
-    def has_passed(self):
+    def has_passed(self) -> bool:
         return not self.failures
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self.has_passed
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "PASSED" if self.has_passed else "FAILED: " + "; ".join(self.failures)
 
 
-def verify(directory, files=None, comm="world"):
+def verify(directory: Path, files: Path | None = None, comm: Any = "world") -> Verification:
     """Computes the certificate of written results again from the files, as ``plastron verify`` does, and compares them. Raises
     ResultsError where there is nothing to verify."""
     from . import _solver
@@ -124,32 +127,40 @@ def verify(directory, files=None, comm="world"):
     return Verification(_solver.verify(str(directory), str(files or ""), comm))
 
 
-def _read_results(folder):
+def _read_results(folder: pathlib.Path) -> dict[str, Any]:
     try:
-        return json.loads((folder / "results.json").read_text(encoding="utf-8"))
+        return dict(json.loads((folder / "results.json").read_text(encoding="utf-8")))
     except FileNotFoundError:
         raise ResultsError(f"{folder} has no results.json; give the folder that plastron wrote") from None
     except ValueError as error:
         raise ResultsError(f"{folder / 'results.json'} is no JSON: {error}") from None
 
 
-def _with_record(function):
-    return function and (lambda number, text: function(number, Record(json.loads(text))))
+def _with_record(function: Callable[..., Any] | None) -> Any:
+    """Returns a function whose last argument is the text of a record; None for none."""
+    if function is None:
+        return None
+    told = function
+
+    def tell(*arguments: Any) -> None:
+        told(*arguments[:-1], Record(json.loads(arguments[-1])))
+
+    return tell
 
 
-def _both(first, second):
+def _both(first: Any, second: Any) -> Any:
     functions = [f for f in (first, second) if f]
     if not functions:
         return None
 
-    def call(*arguments):
+    def call(*arguments: Any) -> None:
         for function in functions:
             function(*arguments)
 
     return call
 
 
-def _remove(directory):
+def _remove(directory: pathlib.Path) -> None:
     import shutil
 
     shutil.rmtree(directory, ignore_errors=True)

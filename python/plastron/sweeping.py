@@ -1,14 +1,17 @@
 """Many cases that differ in some values: sweeps and combinations of loads."""
 
+from __future__ import annotations
+
 import concurrent.futures
 import hashlib
 import itertools
 import json
 import os
 import pathlib
+from typing import Any, Iterable, Mapping
 
 from . import _case, toml_text
-from .case import Case
+from .case import Case, Path
 from .errors import CaseError
 from .result import parsed
 
@@ -20,7 +23,7 @@ class Table:
     of the parameters, then the numbers of the result under the names of history.csv. ``status`` is "refused" for a case that
     cannot be solved, with the reason under ``error``."""
 
-    def __init__(self, parameters, texts, errors):
+    def __init__(self, parameters: Iterable[str], texts: list[dict[str, str]], errors: Iterable[str | None]) -> None:
         self.parameters = list(parameters)
         self._texts = texts
         self.rows = [{name: parsed(text) for name, text in row.items()} for row in texts]
@@ -28,27 +31,27 @@ class Table:
             if error:
                 row["error"] = error
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.rows)
 
-    def __getitem__(self, column):
+    def __getitem__(self, column: str) -> list[Any]:
         if column not in self.columns:
             raise KeyError(f"{column!r}: there is no such column; the first are {', '.join(self.columns[:12])}")
         return [row.get(column) for row in self.rows]
 
     @property
-    def columns(self):
+    def columns(self) -> list[str]:
         names = list(self.parameters)
         for row in self._texts:
             names += [name for name in row if name not in names]
         return names
 
-    def to_dataframe(self):
+    def to_dataframe(self) -> Any:
         import pandas
 
         return pandas.DataFrame([{name: row.get(name) for name in self.columns} for row in self.rows])
 
-    def to_csv(self, path=None):
+    def to_csv(self, path: Path | None = None) -> str | None:
         """Writes the table as ``plastron sweep`` does, or returns its text without a path."""
         lines = [self.columns] + [[row.get(name, "") for name in self.columns] for row in self._texts]
         text = "".join(",".join(_case.csv_cell(cell) for cell in line) + "\n" for line in lines)
@@ -57,14 +60,24 @@ class Table:
         pathlib.Path(path).write_text(text, encoding="utf-8")
         return None
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<plastron.Table: {len(self)} cases over {', '.join(self.parameters)}>"
 
-    def _repr_html_(self):
-        return self.to_dataframe()._repr_html_()
+    def _repr_html_(self) -> str:
+        return str(self.to_dataframe()._repr_html_())
 
 
-def sweep(case, parameters, *, pairwise=False, executor=None, workers=None, directory=None, report=False, progress=False):
+def sweep(
+    case: Case,
+    parameters: Mapping[str, Iterable[Any]],
+    *,
+    pairwise: bool = False,
+    executor: Any = None,
+    workers: int | None = None,
+    directory: Path | None = None,
+    report: bool = False,
+    progress: bool = False,
+) -> Table:
     """Solves a case for all combinations of values, and returns a Table.
 
     parameters: a dictionary key -> values, such as ``{"shell.thickness": [0.01, 0.02], "load[0].pressure": [1, 2]}``. The last
@@ -85,7 +98,16 @@ def sweep(case, parameters, *, pairwise=False, executor=None, workers=None, dire
     return _solve_members(_members(case, settings), list(parameters), executor, workers, directory, report, progress)
 
 
-def combine(case, combinations, *, executor=None, workers=None, directory=None, report=False, progress=False):
+def combine(
+    case: Case,
+    combinations: Mapping[str, Mapping[str, float]],
+    *,
+    executor: Any = None,
+    workers: int | None = None,
+    directory: Path | None = None,
+    report: bool = False,
+    progress: bool = False,
+) -> Table:
     """Solves a case for combinations of its loads: ``{"wind": {"load[0]": 1.35, "load[1]": 0.9, "gravity": 1}}``. Loads that a
     combination does not name have the factor 0. Contact and finite rotations are not linear, so that each is solved by itself.
     Returns a Table with the column ``combination``; the other options are those of sweep()."""
@@ -98,7 +120,7 @@ def combine(case, combinations, *, executor=None, workers=None, directory=None, 
     return _solve_members(members, ["combination"], executor, workers, directory, report, progress)
 
 
-def load_settings(case, factors):
+def load_settings(case: Case, factors: Mapping[str, float]) -> dict[str, Any]:
     """Returns settings that multiply the loads of a case: key -> value."""
     known = [f"load[{i}]" for i in range(len(case.to_dict().get("load") or []))] + ["gravity"] * ("gravity" in case)
     for name in factors:
@@ -112,7 +134,7 @@ def load_settings(case, factors):
     return settings
 
 
-def _scaled(value, factor):
+def _scaled(value: Any, factor: float) -> Any:
     if isinstance(value, str):
         return f"{float(factor)!r} * ({value})"
     if isinstance(value, (list, tuple)):
@@ -120,10 +142,10 @@ def _scaled(value, factor):
     return value * factor
 
 
-def _members(case, all_settings):
+def _members(case: Case, all_settings: Iterable[dict[str, Any]]) -> list[tuple[dict[str, Any], Any]]:
     if not isinstance(case, Case):
         raise TypeError(f"sweep() takes a plastron.Case, not {type(case).__name__}; Case.read() reads a file")
-    members = []
+    members: list[tuple[dict[str, Any], Any]] = []
     for settings in all_settings:
         try:
             members.append((settings, case.with_settings(settings)))
@@ -132,22 +154,33 @@ def _members(case, all_settings):
     return members
 
 
-def _solve_members(members, names, executor, workers, directory, report, progress):
+def _solve_members(
+    members: list[tuple[dict[str, Any], Any]],
+    names: list[str],
+    executor: Any,
+    workers: int | None,
+    directory: Path | None,
+    report: bool,
+    progress: bool,
+) -> Table:
     folders = [os.path.join(directory, f"{i + 1:04}") if directory else None for i in range(len(members))]
-    outcomes = [None] * len(members)
+    outcomes: list[tuple[Any, str | None]] = [(None, None)] * len(members)
     waiting = []
     for i, (_, member) in enumerate(members):
         if isinstance(member, CaseError):
             outcomes[i] = (None, str(member))
-        elif folders[i] and _results_in(folders[i], member):
-            outcomes[i] = (_row(_results_in(folders[i], member)), None)
+            continue
+        finished = _results_in(folders[i], member)
+        if finished:
+            outcomes[i] = (_row(finished), None)
         else:
             waiting.append(i)
     bar = _bar(len(members), len(members) - len(waiting)) if progress else None
     if executor is None and (len(waiting) < 2 or (workers is not None and workers < 2)):
         for i in waiting:
             outcomes[i] = _solve_one(members[i][1].__getstate__(), folders[i], report)
-            bar and bar.update(1)
+            if bar:
+                bar.update(1)
     else:
         owned = None
         if executor is None:
@@ -158,18 +191,20 @@ def _solve_members(members, names, executor, workers, directory, report, progres
             }
             for future in concurrent.futures.as_completed(futures):
                 outcomes[futures[future]] = future.result()
-                bar and bar.update(1)
+                if bar:
+                    bar.update(1)
         finally:
             if owned:
                 owned.shutdown(cancel_futures=True)
-    bar and bar.close()
+    if bar:
+        bar.close()
     texts = []
     for (settings, _), (row, _) in zip(members, outcomes):
         texts.append({name: _text(settings[name]) for name in names} | (row or {"status": REFUSED}))
     return Table(names, texts, [error for _, error in outcomes])
 
 
-def _solve_one(state, folder, report):
+def _solve_one(state: Any, folder: str | None, report: bool) -> tuple[dict[str, str] | None, str | None]:
     """Solves a case in a process of an executor: returns (row, None), or (None, error)."""
     import warnings
 
@@ -186,12 +221,14 @@ def _solve_one(state, folder, report):
         return None, str(error)
 
 
-def _row(results):
+def _row(results: dict[str, Any]) -> dict[str, str]:
     return dict(_case.result_row(json.dumps(results)))
 
 
-def _results_in(folder, case):
+def _results_in(folder: str | None, case: Case) -> dict[str, Any] | None:
     """Returns the results of the same case in a folder; None if there are none."""
+    if folder is None:
+        return None
     try:
         results = json.loads((pathlib.Path(folder) / "results.json").read_text(encoding="utf-8"))
         same = results["verification"]["case"]["sha256"] == hashlib.sha256(case.text.encode()).hexdigest()
@@ -200,15 +237,15 @@ def _results_in(folder, case):
     return results if same else None
 
 
-def _text(value):
-    return value if isinstance(value, str) else toml_text.value(value)
+def _text(value: Any) -> str:
+    return value if isinstance(value, str) else str(toml_text.value(value, {})).strip('"')
 
 
-def _cores():
+def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _bar(total, done):
+def _bar(total: int, done: int) -> Any:
     from tqdm.auto import tqdm
 
     return tqdm(total=total, initial=done, unit=" cases")

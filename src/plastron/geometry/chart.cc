@@ -1,4 +1,5 @@
 #include <plastron/geometry/chart.hpp>
+#include <plastron/geometry/given_function.hpp>
 #include <plastron/geometry/quotation.hpp>
 
 #include <vector>
@@ -37,7 +38,13 @@ std::vector<Expression> differentiate(const std::string& text, const Constants& 
 }  // namespace
 
 Chart::Chart(const std::array<std::string, 3>& components, const Constants& constants) : components_(components) {
-  for (int i = 0; i < 3; ++i) derivatives_[i] = differentiate(components[i], constants);
+  for (int i = 0; i < 3; ++i) {
+    given_[i] = given_function(components[i]);
+    if (!given_[i])
+      derivatives_[i] = differentiate(components[i], constants);
+    else if (given_[i]->uses_space)
+      throw ExpressionError("a chart is a function of x and y, and X, Y, Z are its values", 0);
+  }
 }
 
 SurfaceJet Chart::operator()(double x, double y) const {
@@ -48,11 +55,20 @@ SurfaceJet Chart::operator()(double x, double y) const {
 
 void Chart::evaluate(std::span<const double> x, std::span<const double> y, std::span<SurfaceJet> jets,
                      bool second_derivatives) const {
-  const int count = second_derivatives ? 6 : 3;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < count; ++k)
+  std::vector<Place> places(jets.size());
+  for (std::size_t p = 0; p < jets.size(); ++p) places[p] = {x[p], y[p]};
+  const std::size_t count = second_derivatives ? 6 : 3;
+  std::vector<double> values(count * jets.size());
+  for (int i = 0; i < 3; ++i) {
+    if (given_[i])
+      given_[i]->evaluate(places, 0, static_cast<int>(count), values);
+    else
+      for (std::size_t k = 0; k < count; ++k)
+        derivatives_[i][k].evaluate(places, std::span(values).subspan(k * jets.size(), jets.size()));
+    for (std::size_t k = 0; k < count; ++k)
       for (std::size_t p = 0; p < jets.size(); ++p)
-        (k == 0 ? jets[p].value : k < 3 ? jets[p].d[k - 1] : jets[p].dd[k - 3])[i] = derivatives_[i][k](x[p], y[p]);
+        (k == 0 ? jets[p].value : k < 3 ? jets[p].d[k - 1] : jets[p].dd[k - 3])[i] = values[k * jets.size() + p];
+  }
 }
 
 }  // namespace plastron::geometry

@@ -26,7 +26,8 @@ class Chart {
 
  private:
   std::array<std::string, 3> components_;
-  std::array<std::vector<Expression>, 3> derivatives_;  // value, 1, 2, 11, 12, 22 of each component
+  std::array<std::vector<Expression>, 3> derivatives_;           // value, 1, 2, 11, 12, 22 of each component
+  std::array<std::shared_ptr<const GivenFunction>, 3> given_{};  // components that are given functions
 };
 
 }  // namespace plastron::geometry

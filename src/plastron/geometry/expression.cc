@@ -1,4 +1,5 @@
 #include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/given_function.hpp>
 #include <plastron/geometry/quotation.hpp>
 
 #include <fmt/format.h>
@@ -31,6 +32,7 @@ struct Expression::Program {
   mu::Parser parser;
   Place at{};
   bool uses_parameters = false, uses_space = false;
+  std::shared_ptr<const GivenFunction> given{};  // in the place of the parser
 };
 
 Expression::Expression(double value) : text_(fmt::format("{}", value)), constant_(value) {}
@@ -48,6 +50,13 @@ Expression Expression::made(std::string text, const Constants& constants) {
 }
 
 void Expression::compile(const Constants& constants) {
+  if (auto given = given_function(text_)) {
+    program_ = std::make_shared<Program>();
+    program_->uses_parameters = given->uses_parameters;
+    program_->uses_space = given->uses_space;
+    program_->given = std::move(given);
+    return;
+  }
   auto program = std::make_shared<Program>();
   try {
     program->parser = parser_with(constants);
@@ -72,7 +81,7 @@ void Expression::compile(const Constants& constants) {
 }
 
 std::map<std::string, double> Expression::constants() const {
-  return program_ ? program_->parser.GetConst() : std::map<std::string, double>();
+  return program_ && !program_->given ? program_->parser.GetConst() : std::map<std::string, double>();
 }
 
 bool Expression::uses_parameters() const { return program_ && program_->uses_parameters; }
@@ -80,6 +89,11 @@ bool Expression::uses_space() const { return program_ && program_->uses_space; }
 
 double Expression::operator()(const Place& place) const {
   if (!program_) return constant_;
+  if (program_->given) {
+    double value = 0;
+    program_->given->evaluate({&place, 1}, 0, 1, {&value, 1});
+    return factor_ * value;
+  }
   program_->at = place;
   return factor_ * program_->parser.Eval();
 }
@@ -93,6 +107,11 @@ Expression Expression::scaled(double factor) const {
 }
 
 void Expression::evaluate(std::span<const Place> places, std::span<double> values) const {
+  if (program_ && program_->given) {
+    program_->given->evaluate(places.first(values.size()), 0, 1, values);
+    for (double& value : values) value *= factor_;
+    return;
+  }
   // muParser's bulk mode is not used: it starts OpenMP threads for a few points.
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*this)(places[i]);
 }

@@ -41,6 +41,8 @@ struct Place {
   double X = 0, Y = 0, Z = 0;
 };
 
+struct GivenFunction;
+
 /// f(x, y, X, Y, Z). Known names: x, y, X, Y, Z, pi, the constants; + - * / ^, comparisons, c ? a : b, and the functions
 /// above.
 class Expression {
@@ -49,7 +51,7 @@ class Expression {
   Expression() : Expression(0.0) {}
   /// Makes the constant function `value`.
   explicit Expression(double value);
-  /// Throws ExpressionError.
+  /// The text may be the name of a given function (given_function.hpp). Throws ExpressionError.
   Expression(std::string text, const Constants& constants);
   /// Makes an expression from a text written by the program, without limit of length.
   static Expression made(std::string text, const Constants& constants);

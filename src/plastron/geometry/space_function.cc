@@ -1,3 +1,4 @@
+#include <plastron/geometry/given_function.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/geometry/space_function.hpp>
 
@@ -39,12 +40,28 @@ std::array<GiNaC::ex, 10> derivatives(const std::string& text, const Constants& 
   return all;
 }
 
+/// Returns the value and derivatives from their list, in the order of derivatives().
+SpaceJet jet_of(const double* f) {
+  SpaceJet jet{.value = f[0], .gradient = {f[1], f[2], f[3]}};
+  jet.hessian << f[4], f[5], f[6], f[5], f[7], f[8], f[6], f[8], f[9];
+  return jet;
+}
+
+template <std::size_t count>
+std::array<double, count> given_values(const GivenFunction& function, const Vector3d& X) {
+  const Place place{.X = X[0], .Y = X[1], .Z = X[2]};
+  std::array<double, count> values{};
+  function.evaluate({&place, 1}, 0, static_cast<int>(count), values);
+  return values;
+}
+
 }  // namespace
 
 // muParser keeps the addresses of its variables. `derivatives` evaluates all ten numbers at once.
 struct SpaceFunction::Program {
   mu::Parser value, derivatives;
   Vector3d at = Vector3d::Zero();
+  std::shared_ptr<const GivenFunction> given{};  // in the place of the parsers
 
   mu::Parser parser(const std::string& text, const Constants& constants) {
     mu::Parser made = parser_with(constants);
@@ -58,6 +75,14 @@ SpaceFunction::SpaceFunction(std::string text, const Constants& constants) : tex
   check_size(text_);
   check_constants(constants);
   auto program = std::make_shared<Program>();
+  if (auto given = given_function(text_)) {
+    if (given->uses_parameters)
+      throw ExpressionError("a function of x and y is no function of space: it takes X, Y, Z", 0);
+    program->given = std::move(given);
+    depends_on_ = program->given->depends_on;
+    program_ = std::move(program);
+    return;
+  }
   try {
     program->value = program->parser(text_, constants);
     program->value.Eval();
@@ -82,17 +107,16 @@ SpaceFunction::SpaceFunction(std::string text, const Constants& constants) : tex
 }
 
 double SpaceFunction::value(const Vector3d& X) const {
+  if (program_->given) return given_values<1>(*program_->given, X)[0];
   program_->at = X;
   return program_->value.Eval();
 }
 
 SpaceJet SpaceFunction::operator()(const Vector3d& X) const {
+  if (program_->given) return jet_of(given_values<10>(*program_->given, X).data());
   program_->at = X;
   int count = 0;
-  const double* f = program_->derivatives.Eval(count);
-  SpaceJet jet{.value = f[0], .gradient = {f[1], f[2], f[3]}};
-  jet.hessian << f[4], f[5], f[6], f[5], f[7], f[8], f[6], f[8], f[9];
-  return jet;
+  return jet_of(program_->derivatives.Eval(count));
 }
 
 }  // namespace plastron::geometry

@@ -1,0 +1,254 @@
+"""Functions of Python in cases, for what no expression says: thickness, loads, charts, obstacles."""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import sys
+from typing import Any, Callable, Iterable
+
+import numpy as np
+
+from . import _case
+from .errors import CaseError
+
+_NAMES = ("x", "y", "X", "Y", "Z")
+# Pairs of coordinates of the second derivatives, in the order of the library.
+_PAIRS_OF_PARAMETERS = ((0, 0), (0, 1), (1, 1))
+_PAIRS_OF_SPACE = ((2, 2), (2, 3), (2, 4), (3, 3), (3, 4), (4, 4))
+# A central difference of order 6: steps and their weights.
+_DIFFERENCE = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60), (-1, -3 / 4), (-2, 3 / 20), (-3, -1 / 60))
+
+
+def _directions(arguments: list[int], number: int) -> tuple[int, ...]:
+    """Returns the coordinates by which derivative `number` of the library differentiates."""
+    in_space = max(arguments) > 1
+    first = [(k,) for k in ((2, 3, 4) if in_space else (0, 1))]
+    all_of_them: list[tuple[int, ...]] = [(), *first, *(_PAIRS_OF_SPACE if in_space else _PAIRS_OF_PARAMETERS)]
+    return all_of_them[number]
+
+
+def _number_of(arguments: list[int], axis: int) -> int:
+    """Returns the number of the first derivative along a coordinate."""
+    return axis - 1 if max(arguments) > 1 else axis + 1
+
+
+class _Stencil:
+    """Places around a place, in steps, and the weights of the values there for each derivative. With complex steps,
+    ``directions`` are those of the imaginary part, which gives one derivative exactly; else None. The sums are divided by the
+    step to the power of ``orders``."""
+
+    def __init__(self, arguments: list[int], numbers: Iterable[int], is_complex: bool) -> None:
+        points: dict[Any, int] = {}
+        rows: list[Any] = []
+        values: list[bool] = []
+        for number in numbers:
+            axes = _directions(arguments, number)
+            terms: dict[Any, float] = {} if any(axis not in arguments for axis in axes) else {((0.0,) * len(_NAMES), None): 1.0}
+            differences = axes
+            if is_complex and axes:
+                terms = {(offset, axes[0]): weight for (offset, _), weight in terms.items()}
+                differences = axes[1:]
+            for axis in differences:
+                terms = _difference_of(terms, axis)
+            rows.append(({points.setdefault(point, len(points)): weight for point, weight in terms.items()}, len(differences)))
+            values.append(not axes)
+        self.is_value = np.array(values)
+        self.offsets = np.array([offset for offset, _ in points])
+        self.directions = np.array([[axis == k for k in range(len(_NAMES))] for _, axis in points], float) if is_complex else None
+        self.weights = np.zeros((len(rows), len(points)))
+        for i, (weights, _) in enumerate(rows):
+            self.weights[i, list(weights)] = list(weights.values())
+        self.orders = np.array([order for _, order in rows])
+
+
+def _difference_of(terms: dict[Any, float], axis: int) -> dict[Any, float]:
+    """Returns the terms of the difference along a coordinate: (offset, direction) -> weight."""
+    result: dict[Any, float] = {}
+    for (offset, direction), weight in terms.items():
+        for steps, factor in _DIFFERENCE:
+            moved = (*offset[:axis], offset[axis] + steps, *offset[axis + 1 :])
+            result[moved, direction] = result.get((moved, direction), 0.0) + weight * factor
+    return result
+
+
+class Function:
+    """A function of Python in a case: ``case["shell.thickness"] = Function(lambda x, y: 0.01 + 0.002 * np.cos(x))``.
+
+    f: takes arrays and returns an array, or a number that holds everywhere. The names of its arguments say of what it is a
+        function: x, y (parameters of the domain), X, Y, Z (places in space), in any order.
+    gradient: a function with the same arguments that returns the list of the first derivatives, in the order of the
+        arguments. Needed by charts, heights and distances only. Without it they come from the complex step
+        f(x + i h) / h, which has no rounding but needs a function that takes complex numbers (no abs, max, comparison);
+        ``step`` then is not used. Where the function cannot take them, differences of order 6 with ``step`` are taken.
+    second: likewise the second derivatives: xx, xy, yy or XX, XY, XZ, YY, YZ, ZZ, those of the arguments that there are.
+        Without it differences of order 6 of the first derivatives are taken; their error is about (step / scale)^6 of the
+        function, plus rounding.
+    step: step of these differences; default 1e-3 of the largest coordinate in a call, at least 1e-3 of ``scale``.
+    scale: a length over which the function changes much [the unit of its arguments]; default 1.
+
+    A plain function is taken as Function(f). Files of such a case name the function but do not contain it, so that
+    ``plastron verify`` cannot read them; Result.verify() in the same process can.
+    """
+
+    def __init__(
+        self,
+        f: Callable[..., Any],
+        gradient: Callable[..., Any] | None = None,
+        second: Callable[..., Any] | None = None,
+        step: float | None = None,
+        scale: float = 1.0,
+    ) -> None:
+        self.f, self.gradient, self.second, self.step, self.scale = f, gradient, second, step, scale
+        self.arguments = _arguments(f)
+        self._takes_complex: bool | None = None
+        self._stencils: dict[Any, _Stencil] = {}
+        self.name = "python_" + _identifier(f) + "_" + _digest(f)
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self.f(*arguments)
+
+    def evaluate(self, places: Any, first: int, count: int) -> Any:
+        """Returns the derivatives first, ..., first + count - 1 at places, as the library numbers them."""
+        if first == 0 and count == 1:
+            return self._values(self.f, places)
+        if self.gradient is not None:
+            return np.array([self._with_gradient(places, number) for number in range(first, first + count)])
+        return self._by_stencil(places, range(first, first + count))
+
+    def _values(self, f: Callable[..., Any], places: Any, kind: type = float) -> Any:
+        value: Any = np.asarray(f(*[places[:, k] for k in self.arguments]), dtype=kind)
+        if value.ndim == 0:
+            return np.full(len(places), value)
+        if value.shape != (len(places),):
+            raise ValueError(f"it returns an array of shape {value.shape} for {len(places)} places")
+        return value
+
+    def _by_stencil(self, places: Any, numbers: Iterable[int]) -> Any:
+        """Values and derivatives from one call of f, at all places of a stencil."""
+        stencil = self._stencil(tuple(numbers), self._is_analytic(places))
+        step = self.step or 1e-3 * max(self.scale, float(np.max(np.abs(places[:, self.arguments]), initial=0)))
+        moved = (places[None, :, :] + stencil.offsets[:, None, :] * step).reshape(-1, len(_NAMES))
+        if stencil.directions is None:
+            values = self._values(self.f, moved).reshape(len(stencil.offsets), -1)
+            return (stencil.weights @ values) / step ** stencil.orders[:, None]
+        h = 1e-30 * self.scale
+        moved = moved + 1j * h * np.repeat(stencil.directions, len(places), axis=0)
+        values = self._values(self.f, moved, complex).reshape(len(stencil.offsets), -1)
+        sums = np.where(stencil.is_value[:, None], stencil.weights @ values.real, stencil.weights @ (values.imag / h))
+        return sums / step ** stencil.orders[:, None]
+
+    def _stencil(self, numbers: tuple[int, ...], is_complex: bool) -> _Stencil:
+        known = self._stencils.get((numbers, is_complex))
+        if known is None:
+            known = self._stencils[numbers, is_complex] = _Stencil(self.arguments, numbers, is_complex)
+        return known
+
+    def _with_gradient(self, places: Any, number: int) -> Any:
+        axes = _directions(self.arguments, number)
+        if any(axis not in self.arguments for axis in axes):
+            return np.zeros(len(places))
+        if not axes:
+            return self._values(self.f, places)
+        first = self.arguments.index(axes[0])
+        if len(axes) == 1:
+            return self._values(_entry(self.gradient, first), places)
+        if self.second is not None:
+            known = sorted(self.arguments)
+            pairs = [(i, j) for n, i in enumerate(known) for j in known[n:]]
+            return self._values(_entry(self.second, pairs.index((axes[0], axes[1]))), places)
+        component = Function(self.f, step=self.step, scale=self.scale)
+        component.f = _entry(self.gradient, first)
+        return component._by_stencil(places, [_number_of(self.arguments, axes[1])])[0]
+
+    def _is_analytic(self, places: Any) -> bool:
+        """Whether the function takes complex numbers, found out at its first call: the complex step must agree with differences."""
+        if self._takes_complex is None:
+            first = (_number_of(self.arguments, self.arguments[0]),)
+            exact = None
+            self._takes_complex = True
+            try:
+                with np.errstate(all="raise"):
+                    exact = self._by_stencil(places, first)
+            except Exception:  # any failure means that the function does not take complex numbers
+                pass
+            self._takes_complex = False
+            if exact is not None:
+                values, differences = self._values(self.f, places), self._by_stencil(places, first)
+                size = np.max(np.abs(differences)) + np.max(np.abs(values)) / self.scale
+                self._takes_complex = bool(np.all(np.abs(exact - differences) <= 1e-5 * size))
+        return self._takes_complex
+
+    def _give(self, module: Any) -> None:
+        depends = [k in self.arguments for k in range(len(_NAMES))]
+        module.give_function(self.name, depends, self.evaluate)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Function) and self.name == other.name
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+
+def _entry(f: Any, number: int) -> Callable[..., Any]:
+    """Returns the function of one of the arrays that f returns."""
+    return lambda *arguments: f(*arguments)[number]
+
+
+def components(f: Callable[..., Any], **options: Any) -> list[Function]:
+    """Returns three Functions of one that returns three arrays: ``chart = components(lambda x, y: (x, y, x**2 - y**2))``. The
+    options are those of Function, without gradient and second."""
+    count = 3
+
+    def component(k: int) -> Function:
+        def value(*arguments: Any) -> Any:
+            return f(*arguments)[k]
+
+        value.__signature__ = inspect.signature(f)  # type: ignore[attr-defined]
+        value.__name__ = f"{_identifier(f)}_{k}"
+        value.plastron_source = (f, k)  # type: ignore[attr-defined]
+        return Function(value, **options)
+
+    return [component(k) for k in range(count)]
+
+
+def as_function(given: Any) -> Function:
+    """Returns a Function for a Function or a plain function."""
+    return given if isinstance(given, Function) else Function(given)
+
+
+def give(functions: dict[str, Function]) -> None:
+    """Makes functions known to the modules that read cases."""
+    for function in functions.values():
+        function._give(_case)
+        solver = sys.modules.get("plastron._solver")
+        if solver is not None:
+            function._give(solver)
+
+
+def _arguments(f: Callable[..., Any]) -> list[int]:
+    names = [p.name for p in inspect.signature(f).parameters.values() if p.default is p.empty]
+    wrong = [name for name in names if name not in _NAMES]
+    if wrong or not names:
+        raise CaseError(f"error: a function in a case takes some of x, y, X, Y, Z, not {', '.join(wrong) or 'nothing'}\n")
+    return [_NAMES.index(name) for name in names]
+
+
+def _identifier(f: Any) -> str:
+    name = getattr(f, "__name__", type(f).__name__)
+    return "".join(c if c.isalnum() and c.isascii() else "_" for c in name).strip("_") or "function"
+
+
+def _digest(f: Any) -> str:
+    """Returns digits that tell functions of one name apart, and are the same in every process."""
+    f, extra = getattr(f, "plastron_source", (f, None))
+    code = getattr(f, "__code__", None)
+    if code is None:
+        return hashlib.sha256(repr((type(f).__qualname__, vars(f) if hasattr(f, "__dict__") else ())).encode()).hexdigest()[:10]
+    cells = [repr(cell.cell_contents) for cell in f.__closure__ or ()]
+    text = repr((code.co_code, _constants(code), code.co_names, f.__defaults__, cells, extra))
+    return hashlib.sha256(text.encode()).hexdigest()[:10]
+
+
+def _constants(code: Any) -> list[Any]:
+    return [c.co_code if inspect.iscode(c) else c for c in code.co_consts]
