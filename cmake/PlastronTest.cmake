@@ -1,9 +1,9 @@
 # plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ... QUICK_RANKS 1|2
-#               SANITIZED_RANKS 0|1|2 SEPARATE files that are compiled by themselves)
+#               SLOW_RANKS 2|3 SANITIZED_RANKS 0|1|2 SEPARATE files that are compiled by themselves)
 #
 # A test of CTest: the tests of some files, of GoogleTest. With RANKS it runs under mpirun once for every count, and the count is in its name.
 # The runs on up to QUICK_RANKS ranks (2) of a quick test are quick, those on more are verification: on two cores they take many times as long.
-# The runs of a verification test on three ranks have the label slow.
+# The runs of a verification test on SLOW_RANKS ranks (3) and more have the label slow.
 # With the sanitizers, which show what each process does with its memory, one rank is enough, but up to SANITIZED_RANKS for code that exchanges data.
 # With SANITIZED_RANKS 0 a test is not part of the sanitized build: it takes a minute there, and other tests run the same code.
 #
@@ -72,12 +72,15 @@ function(plastron_test_program program)
 endfunction()
 
 function(plastron_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS;SANITIZED_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS;SLOW_RANKS;SANITIZED_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL quick)
   endif()
   if(NOT ARG_QUICK_RANKS)
     set(ARG_QUICK_RANKS 2)
+  endif()
+  if(NOT ARG_SLOW_RANKS)
+    set(ARG_SLOW_RANKS 3)
   endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
@@ -107,7 +110,7 @@ function(plastron_test name)
       continue()
     endif()
     set(label ${ARG_LABEL})
-    if(ranks GREATER 2 AND NOT label STREQUAL quick)
+    if(ranks GREATER_EQUAL ARG_SLOW_RANKS AND (ARG_SLOW_RANKS LESS 3 OR NOT label STREQUAL quick))
       set(label slow)
     elseif(ranks GREATER ARG_QUICK_RANKS)
       set(label verification)

@@ -101,8 +101,8 @@ io::Json results_of(const Member& member) {
   if (!stream) return nullptr;
   const io::Json results = io::Json::parse(stream, nullptr, false);
   const io::Json::json_pointer place("/verification/case/sha256");
-  return !results.is_discarded() && results.contains(place) && results[place] == member.text_hash ? results
-                                                                                                  : io::Json();
+  if (results.is_discarded() || !results.contains(place) || results.value("status", "") == "interrupted") return {};
+  return results[place] == member.text_hash ? results : io::Json();
 }
 
 volatile sig_atomic_t was_interrupted = 0;
@@ -152,6 +152,12 @@ bool solve_all(const std::vector<const Member*>& members, const SweepOptions& op
   return was_interrupted == 0;
 }
 
+/// Returns the text of a value in quotes, or the value.
+std::string unquoted(const std::string& value) {
+  const bool is_text = value.size() > 1 && (value[0] == '"' || value[0] == '\'') && value.back() == value[0];
+  return is_text ? value.substr(1, value.size() - 2) : value;
+}
+
 /// Returns the table: a line of names, then one line for each member.
 std::string table_of(const std::vector<Member>& members, const std::vector<Parameter>& parameters) {
   std::vector<std::string> columns;
@@ -167,7 +173,7 @@ std::string table_of(const std::vector<Member>& members, const std::vector<Param
   for (const Parameter& parameter : parameters) text += io::csv_cell(parameter.key) + ",";
   text += fmt::format("{}\n", fmt::join(columns, ","));
   for (std::size_t i = 0; i < members.size(); ++i) {
-    for (const std::string& value : members[i].values) text += io::csv_cell(value) + ",";
+    for (const std::string& value : members[i].values) text += io::csv_cell(unquoted(value)) + ",";
     for (const std::string& column : columns)
       text += io::csv_cell(cells[i][column]) + (column == columns.back() ? "\n" : ",");
   }

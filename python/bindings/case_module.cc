@@ -35,6 +35,15 @@ py::tuple read(const std::string& text, const std::string& file_name, const std:
   }
 }
 
+/// Raises CaseError for a file that is no case.
+void check_file(const std::string& path, const std::vector<std::string>& settings) {
+  try {
+    config::read_case(path, settings);
+  } catch (const config::CaseErrors& errors) {
+    throw_case_error(errors);
+  }
+}
+
 /// Returns a list of (path, meaning, keys), where a key is (name, kind, unit, default, allowed values, meaning, whether it
 /// is required).
 py::list declarations() {
@@ -60,6 +69,7 @@ PYBIND11_MODULE(_case, module) {
   module.def("read", &python::read, py::arg("text"), py::arg("file_name"), py::arg("settings"));
   module.def("give_function", &python::give_function);
   module.def("forget_function", &geometry::forget_function);
+  module.def("check_file", &python::check_file, py::arg("path"), py::arg("settings"));
   module.def("declarations", &python::declarations);
   module.def("result_row", [](const std::string& results) { return io::result_row(io::Json::parse(results)); });
   module.def("csv_cell", &io::csv_cell);

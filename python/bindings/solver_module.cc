@@ -42,13 +42,28 @@ std::mutex& one_at_a_time() {
   return mutex;
 }
 
+/// Sets a flag while it exists.
+class Flag {
+ public:
+  explicit Flag(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Flag() { flag_ = false; }
+  Flag(const Flag&) = delete;
+  Flag& operator=(const Flag&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 /// Runs a computation without the interpreter's lock, and raises its errors as those of plastron.errors.
 template <class Work>
 auto computing(Work&& work) {
+  thread_local bool is_computing = false;
+  if (is_computing) throw std::runtime_error("a function that a computation calls cannot start another computation");
   const auto refuse = [](const std::string& text) { raise("CaseError", text); };
   try {
     const py::gil_scoped_release release;
     const std::lock_guard lock(one_at_a_time());
+    const Flag flag(is_computing);
     return work();
   } catch (const workflow::RefusedCase& error) {
     refuse(error.what());
@@ -136,25 +151,33 @@ class Caller {
   template <class... Args>
   void call(const py::object& function, const Args&... args) {
     const py::gil_scoped_acquire acquire;
+    look_for_signals();
     if (function.is_none() || failure_) return;
     try {
       function(args...);
-    } catch (py::error_already_set&) {
-      failure_ = std::current_exception();
+    } catch (py::error_already_set& error) {
+      if (error.matches(PyExc_KeyboardInterrupt))
+        is_interrupted_ = true;
+      else
+        failure_ = std::current_exception();
+    }
+  }
+
+  /// Notes Ctrl-C; other signals that raise are failures.
+  void look_for_signals() {
+    if (PyErr_CheckSignals() == 0) return;
+    if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) {
+      PyErr_Clear();
+      is_interrupted_ = true;
+    } else {
+      failure_ = std::make_exception_ptr(py::error_already_set());
     }
   }
 
   /// Whether Ctrl-C was pressed, or a function failed.
   bool wants_to_stop() {
     const py::gil_scoped_acquire acquire;
-    if (PyErr_CheckSignals() != 0) {
-      if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt)) {
-        PyErr_Clear();
-        is_interrupted_ = true;
-      } else {
-        failure_ = std::make_exception_ptr(py::error_already_set());
-      }
-    }
+    look_for_signals();
     return is_interrupted_ || failure_;
   }
 
@@ -163,17 +186,19 @@ class Caller {
   bool is_interrupted_ = false;
 };
 
-/// Solves a case; its files go to `directory`. Returns (solved, warnings of the examination, whether it was interrupted).
+/// Solves a case; its files go to `directory`. Returns (solved, whether it was interrupted,
+/// the directory, which is that of the first rank on all).
 py::tuple solve(const CaseText& given, const std::string& directory, bool is_temporary, bool with_report,
                 const py::object& comm, const Followers& followers) {
   const MPI_Comm all = communicator(comm);
   Caller caller(followers);
+  std::filesystem::path shared;
   auto solved = computing([&] {
     config::Case c = given.read(all);
     const auto findings = examine(c, all);
     refuse_errors(findings, given, c);
     // The directory of the first rank is everyone's, because temporary names differ.
-    const std::filesystem::path shared = algebra::first_words(directory, all);
+    shared = algebra::first_words(directory, all);
     std::optional<workflow::OutputDirectory> output;
     if (!is_temporary) output.emplace(shared, workflow::inputs_of(c, given.file_name), all);
     if (output && !output->obstacle().empty())
@@ -190,7 +215,7 @@ py::tuple solve(const CaseText& given, const std::string& directory, bool is_tem
     return all_of_it;
   });
   caller.rethrow();
-  return py::make_tuple(std::move(solved), caller.is_interrupted());
+  return py::make_tuple(std::move(solved), caller.is_interrupted(), shared.string());
 }
 
 /// Returns the judgement as a dictionary with JSON texts.
@@ -252,6 +277,12 @@ PYBIND11_MODULE(_solver, module) {
       .def("values_at", &Solved::values_at, py::arg("points"), py::arg("heights"));
   module.def("give_function", &give_function);
   module.def("forget_function", &plastron::geometry::forget_function);
+  module.def("rank", [](const py::object& comm) {
+    int rank = 0;
+    MPI_Comm_rank(communicator(comm), &rank);
+    return rank;
+  });
+  module.def("barrier", [](const py::object& comm) { MPI_Barrier(communicator(comm)); });
   module.def("start_session", &start_session, py::arg("threads"));
   module.def("end_session", &end_session);
   module.def("check", &check);

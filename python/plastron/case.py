@@ -9,14 +9,13 @@ import re
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Union
 
 from . import _case, toml_text
-from .errors import CaseError
 
 if TYPE_CHECKING:
     from .result import Result
 
 Path = Union[str, "os.PathLike[str]"]
 
-_PART = re.compile(r"^([^.\[\]]+)((?:\[\d+\])*)$")
+_PART = re.compile(r'(?:"((?:[^"\\]|\\.)*)"|([^."\[\]]+))((?:\[\d+\])*)(?:\.|$)')
 
 
 class Finding:
@@ -53,14 +52,8 @@ class Case:
     @classmethod
     def read(cls, path: Path, settings: Iterable[str] = ()) -> Case:
         """Reads a case file. ``settings`` are texts such as "shell.thickness=0.01", as after --set."""
-        path = pathlib.Path(path)
-        try:
-            text = path.read_bytes().decode("utf-8")
-        except FileNotFoundError:
-            raise CaseError(f"{path}: error: there is no such file\n") from None
-        except (OSError, UnicodeDecodeError) as error:
-            raise CaseError(f"{path}: error: the file cannot be read: {error}\n") from None
-        return cls.from_text(text, path, settings)
+        _case.check_file(os.fspath(path), list(settings))
+        return cls.from_text(pathlib.Path(path).read_bytes().decode("utf-8"), path, settings)
 
     @classmethod
     def from_text(cls, text: str, file_name: Path = "case.toml", settings: Iterable[str] = ()) -> Case:
@@ -191,10 +184,12 @@ class Case:
 def _parts(key: str) -> list[Any]:
     """Returns the steps of a key: "load[0].pressure" -> ["load", 0, "pressure"]."""
     steps: list[Any] = []
-    for part in key.split("."):
-        match = _PART.match(part)
+    at = 0
+    while at < len(key) or not steps:
+        match = _PART.match(key, at)
         if not match:
             raise KeyError(f"{key}: a key has the form shell.thickness or load[0].pressure")
-        steps.append(match[1])
-        steps += [int(n) for n in re.findall(r"\d+", match[2])]
+        steps.append(match[2] if match[1] is None else match[1])
+        steps += [int(n) for n in re.findall(r"\d+", match[3])]
+        at = match.end()
     return steps

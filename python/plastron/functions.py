@@ -164,7 +164,7 @@ class Function:
     def _is_analytic(self, places: Any) -> bool:
         """Whether the function takes complex numbers, found out at its first call: the complex step must agree with differences."""
         if self._takes_complex is None:
-            first = (_number_of(self.arguments, self.arguments[0]),)
+            first = tuple(_number_of(self.arguments, axis) for axis in self.arguments)
             exact = None
             self._takes_complex = True
             try:

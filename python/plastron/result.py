@@ -39,7 +39,7 @@ class Record:
         reaction = data.get("reaction")
         if isinstance(reaction, dict) and name in reaction:
             return self.reaction.__getattr__(name)
-        raise AttributeError(f"there is no {_joined(self._path, name)}; there are: {', '.join(data)}")
+        raise AttributeError(f"there is no {name} in {self._path or 'the result'}; there are: {', '.join(data)}")
 
     def __getitem__(self, name: str) -> Any:
         try:
@@ -61,11 +61,12 @@ class Record:
 
     def unit(self, name: str) -> str:
         """Returns the unit of an entry, or of an entry of its parts: ``unit("energy")``, ``unit("contact.area")``."""
-        path = _joined(self._path, name)
-        try:
-            return self._units[path]
-        except KeyError:
-            raise KeyError(f"{path} has no unit, or does not exist") from None
+        steps = _joined(self._path, name).replace(".", "/").split("/")
+        for path, unit in self._units.items():
+            known = path.split("/")
+            if len(known) == len(steps) and all(k in ("*", s) for k, s in zip(known, steps)):
+                return unit
+        raise KeyError(f"{'.'.join(steps)} has no unit, or does not exist")
 
     def to_dict(self) -> dict[str, Any]:
         """Returns plain dictionaries, lists and numbers."""
@@ -90,7 +91,7 @@ class Records:
             if index not in names:
                 raise KeyError(f"{index!r}: the names are {', '.join(map(str, names))}")
             index = names.index(index)
-        return Record(self._data[index], self._path + "[]", self._units)
+        return Record(self._data[index], self._path + "/*", self._units)
 
     def __iter__(self) -> Iterator[Record]:
         return (self[i] for i in range(len(self)))
@@ -115,6 +116,11 @@ class Fields(Dict[str, "np.ndarray[Any, Any]"]):
         for array, unit in (("displacement", "u"), ("rotation", "r")):
             if array in self:
                 self.setdefault(unit, self[array])
+
+
+    def under_full_names(self) -> dict[str, np.ndarray[Any, Any]]:
+        """Returns the fields without the short names u and r."""
+        return {name: array for name, array in self.items() if name not in ("u", "r")}
 
 
 class Values(Dict[str, "np.ndarray[Any, Any]"]):
@@ -148,12 +154,12 @@ class Result(Record):
     unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere.
     """
 
-    def __init__(self, native: Any, case: Case, data: dict[str, Any], directory: Path, owns_directory: bool) -> None:
+    def __init__(self, native: Any, case: Case, data: dict[str, Any], directory: Path, owns_directory: bool, comm: Any = "world") -> None:
         super().__init__(data, "", data.get("units", {}))
-        self._native, self._case, self._directory = native, case, pathlib.Path(directory)
+        self._native, self._case, self._directory, self._comm = native, case.copy(), pathlib.Path(directory), comm
         self._is_complete = not owns_directory and (self._directory / "results.json").exists()
         self._fields: Fields | None = None
-        if owns_directory:
+        if owns_directory and self._is_first():
             weakref.finalize(self, shutil.rmtree, self._directory, ignore_errors=True)
 
     @property
@@ -215,7 +221,7 @@ class Result(Record):
         fields = self.fields
         kind = {69: "VTK_LAGRANGE_TRIANGLE", 70: "VTK_LAGRANGE_QUADRILATERAL"}[fields.cell_type]
         of_cells = {name: [array] for name, array in fields.of_cells.items()}
-        return meshio.Mesh(fields.points, [(kind, fields.cells)], point_data=dict(fields), cell_data=of_cells)
+        return meshio.Mesh(fields.points, [(kind, fields.cells)], point_data=fields.under_full_names(), cell_data=of_cells)
 
     def to_pyvista(self) -> Any:
         """Returns a pyvista.UnstructuredGrid of the deformed mid-surface, with all fields."""
@@ -225,7 +231,7 @@ class Result(Record):
         count, size = fields.cells.shape
         cells = np.hstack([np.full((count, 1), size), fields.cells]).ravel()
         grid = pyvista.UnstructuredGrid(cells, np.full(count, fields.cell_type), fields.points)
-        for name, array in fields.items():
+        for name, array in fields.under_full_names().items():
             grid.point_data[name] = array
         for name, array in fields.of_cells.items():
             grid.cell_data[name] = array
@@ -238,22 +244,30 @@ class Result(Record):
         return self._directory
 
     def save(self, directory: Path) -> pathlib.Path:
-        """Writes the files that ``plastron run`` writes: results.json, report.html, .vtu, tables. Returns the folder."""
+        """Writes the files that ``plastron run`` writes: results.json, report.html, .vtu, tables. Returns the folder. Collective."""
+        from . import _solver
+
         self._complete()
         target = pathlib.Path(directory)
-        target.mkdir(parents=True, exist_ok=True)
-        if target.resolve() != self._directory.resolve():
+        if target.resolve() != self._directory.resolve() and self._is_first():
+            target.mkdir(parents=True, exist_ok=True)
             names = json.loads((self._directory / "results.json").read_text())["files"]
             for name in [name for name in names if name != "results.json"] + ["results.json"]:
                 if (self._directory / name).exists():
                     shutil.copy2(self._directory / name, target / name)
+        _solver.barrier(self._comm)
         return target
 
     def verify(self) -> Verification:
-        """Computes the certificate again from the files, and returns the Verification."""
+        """Computes the certificate again from the files, and returns the Verification. Collective."""
         from .solving import verify
 
-        return verify(self.directory)
+        return verify(self.directory, comm=self._comm)
+
+    def _is_first(self) -> bool:
+        from . import _solver
+
+        return _solver.rank(self._comm) == 0
 
     def _complete(self) -> None:
         if not self._is_complete:
@@ -266,7 +280,7 @@ class Result(Record):
     def _repr_html_(self) -> str:
         """The summary and the interactive view in a notebook: the report's own page."""
         numbers = "".join(
-            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self._units.get(name, ''))}</td></tr>"
+            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self.unit(name))}</td></tr>"
             for name, value in _summary(self._data)
         )
         head = f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"
@@ -280,7 +294,7 @@ class Result(Record):
 
 def _summary(data: dict[str, Any]) -> Iterator[tuple[str, float]]:
     """Returns the numbers of the summary: (path, value)."""
-    paths = ["energy", "max_displacement", "contact.area", "contact.max_pressure", "stress.max_von_mises"]
+    paths = ["energy", "size.max_displacement", "contact.area", "contact.max_pressure", "stress.max_von_mises"]
     for path in paths:
         value: Any = data
         for part in path.split("."):
@@ -290,7 +304,7 @@ def _summary(data: dict[str, Any]) -> Iterator[tuple[str, float]]:
 
 
 def _joined(path: str, name: str) -> str:
-    return f"{path}.{name}" if path else name
+    return f"{path}/{name}" if path else name
 
 
 def _wrapped(value: Any, path: str, units: dict[str, str]) -> Any:
@@ -307,11 +321,11 @@ def _wrapped(value: Any, path: str, units: dict[str, str]) -> Any:
 def _lines(data: dict[str, Any], path: str = "") -> Iterator[tuple[str, Any]]:
     for name, value in data.items():
         if isinstance(value, dict):
-            yield from _lines(value, _joined(path, name))
+            yield from _lines(value, _joined(path, name).replace("/", "."))
         elif isinstance(value, list) and value and isinstance(value[0], dict):
-            yield _joined(path, name), f"{len(value)} parts"
+            yield _joined(path, name).replace("/", "."), f"{len(value)} parts"
         else:
-            yield _joined(path, name), value
+            yield _joined(path, name).replace("/", "."), value
 
 
 def parsed(text: str) -> Any:

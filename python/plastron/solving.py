@@ -40,6 +40,24 @@ def solve(
     "interrupted". Warnings are PlastronWarning. Raises CaseError for a case that cannot be solved, OutputError where files
     cannot be written, and KeyboardInterrupt where no mesh was finished.
     """
+    return solve_with_warnings(
+        case, output, report, progress, on_mesh, on_iteration, on_instant, comm, threads, tells_warnings=True
+    )
+
+
+def solve_with_warnings(
+    case: Case,
+    output: Path | None,
+    report: bool,
+    progress: bool,
+    on_mesh: Callable[[int, Record], Any] | None,
+    on_iteration: Callable[[int, Record], Any] | None,
+    on_instant: Callable[[Record], Any] | None,
+    comm: Any,
+    threads: int,
+    tells_warnings: bool,
+) -> Result:
+    """solve(), with or without PlastronWarning."""
     from . import _solver
 
     if not isinstance(case, Case):
@@ -50,7 +68,8 @@ def solve(
 
     def warn(text: str) -> None:
         told.add(text)
-        warnings.warn(text, PlastronWarning, stacklevel=3)
+        if tells_warnings:
+            warnings.warn(text, PlastronWarning, stacklevel=4)
 
     followers = _solver.Followers(
         bar.phase if bar else None,
@@ -61,7 +80,7 @@ def solve(
     )
     directory = pathlib.Path(output) if output is not None else pathlib.Path(tempfile.mkdtemp(prefix="plastron-"))
     try:
-        native, interrupted = _solver.solve(
+        native, interrupted, shared = _solver.solve(
             case._native(), str(directory), output is None, report, comm, followers
         )
         if interrupted and native.status == "interrupted" and not json.loads(native.results_json()).get("levels"):
@@ -73,13 +92,16 @@ def solve(
     finally:
         if bar:
             bar.close()
+    if pathlib.Path(shared) != directory:
+        _remove(directory)  # the files are in the folder of the first rank
+    directory = pathlib.Path(shared)
     data = _read_results(directory) if output is not None else json.loads(native.results_json())
     for text in data.get("warnings", []):
         if text not in told:
             warn(text)
     if native.status != "solved":
         warn(f"{native.status}: {native.status_text}")
-    return Result(native, case, data, directory, output is None)
+    return Result(native, case, data, directory, output is None, comm)
 
 
 def load(directory: Path, files: Path | None = None, comm: Any = "world") -> Result:
@@ -93,7 +115,7 @@ def load(directory: Path, files: Path | None = None, comm: Any = "world") -> Res
     for text in verdict["failures"]:
         warnings.warn(f"{folder}: {text}", PlastronWarning, stacklevel=2)
     case = Case.from_text((folder / data["verification"]["case"]["copy"]).read_text(), folder / "solution.case.toml")
-    return Result(native, case, data, folder, False)
+    return Result(native, case, data, folder, False, comm)
 
 
 class Verification:

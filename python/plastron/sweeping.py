@@ -23,10 +23,16 @@ class Table:
     of the parameters, then the numbers of the result under the names of history.csv. ``status`` is "refused" for a case that
     cannot be solved, with the reason under ``error``."""
 
-    def __init__(self, parameters: Iterable[str], texts: list[dict[str, str]], errors: Iterable[str | None]) -> None:
+    def __init__(
+        self,
+        given: list[dict[str, Any]],
+        parameters: Iterable[str],
+        texts: list[dict[str, str]],
+        errors: Iterable[str | None],
+    ) -> None:
         self.parameters = list(parameters)
         self._texts = texts
-        self.rows = [{name: parsed(text) for name, text in row.items()} for row in texts]
+        self.rows = [{name: parsed(text) for name, text in row.items()} | values for row, values in zip(texts, given)]
         for row, error in zip(self.rows, errors):
             if error:
                 row["error"] = error
@@ -91,10 +97,10 @@ def sweep(
 
     Cases that cannot be solved are rows with the status "refused".
     """
-    settings = [
-        {key: value for key, value in zip(parameters, values)}
-        for values in (zip(*parameters.values()) if pairwise else itertools.product(*parameters.values()))
-    ]
+    lists = [list(values) for values in parameters.values()]
+    if pairwise and len({len(values) for values in lists}) > 1:
+        raise ValueError(f"with pairwise all parameters have as many values: {[len(values) for values in lists]}")
+    settings = [dict(zip(parameters, values)) for values in (zip(*lists) if pairwise else itertools.product(*lists))]
     return _solve_members(_members(case, settings), list(parameters), executor, workers, directory, report, progress)
 
 
@@ -201,21 +207,21 @@ def _solve_members(
     texts = []
     for (settings, _), (row, _) in zip(members, outcomes):
         texts.append({name: _text(settings[name]) for name in names} | (row or {"status": REFUSED}))
-    return Table(names, texts, [error for _, error in outcomes])
+    return Table([settings for settings, _ in members], names, texts, [error for _, error in outcomes])
 
 
 def _solve_one(state: Any, folder: str | None, report: bool) -> tuple[dict[str, str] | None, str | None]:
     """Solves a case in a process of an executor: returns (row, None), or (None, error)."""
-    import warnings
-
-    from .solving import solve
+    from .solving import solve_with_warnings
 
     case = Case.__new__(Case)
     try:
         case.__setstate__(state)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            result = solve(case, output=folder, report=report, comm="self", threads=1)
+        result = solve_with_warnings(
+            case, folder, report, False, None, None, None, comm="self", threads=1, tells_warnings=False
+        )
+        if result.status == "interrupted":
+            raise KeyboardInterrupt
         return _row(result._data), None
     except CaseError as error:
         return None, str(error)
@@ -234,7 +240,7 @@ def _results_in(folder: str | None, case: Case) -> dict[str, Any] | None:
         same = results["verification"]["case"]["sha256"] == hashlib.sha256(case.text.encode()).hexdigest()
     except (OSError, ValueError, KeyError, TypeError):
         return None
-    return results if same else None
+    return results if same and results["status"] != "interrupted" else None
 
 
 def _text(value: Any) -> str:

@@ -64,4 +64,6 @@ def _escaped(c: str) -> str:
     named = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
     if c in named:
         return named[c]
-    return c if c.isprintable() or ord(c) > 0x7F else f"\\u{ord(c):04x}"
+    if c.isprintable():
+        return c
+    return f"\\u{ord(c):04x}" if ord(c) < 0x10000 else f"\\U{ord(c):08x}"

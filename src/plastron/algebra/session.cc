@@ -68,7 +68,7 @@ int number_of_ranks() {
 
 Session::Session(int& argc, char**& argv, int threads) : owns_mpi_(start_mpi(argc, argv)), owns_slepc_(false) {
   restrict_threads(threads, number_of_ranks());
-  owns_slepc_ = start_slepc(MPI_COMM_WORLD);
+  owns_slepc_ = start_slepc(MPI_COMM_SELF);  // a single rank may compute while others do not
 }
 
 Session::~Session() {

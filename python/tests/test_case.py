@@ -1,0 +1,355 @@
+"""Cases: reading, keys and values, refusals, copies."""
+
+import copy
+import pickle
+import re
+import tomllib
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import plastron
+import pytest
+from conftest import STRIP
+from plastron import toml_text
+from program import PROGRAM, SOURCE, plastron as command, words_of
+
+WRONG_TEXTS = sorted((SOURCE / "tests/config/wrong").glob("*.toml"))
+WRONG_MODELS = sorted((SOURCE / "tests/cli/wrong").glob("*.toml"))
+
+
+def refusal(function, *arguments, **options):
+    with pytest.raises(plastron.CaseError) as caught:
+        function(*arguments, **options)
+    return str(caught.value)
+
+
+class TestReading:
+    def test_a_file_a_text_a_dictionary_and_keywords_give_the_same_case(self, strip_file):
+        from_file = plastron.Case.read(strip_file)
+        sections = tomllib.loads(STRIP)
+        for other in (plastron.Case.from_text(STRIP), plastron.Case.from_dict(sections), plastron.Case(**sections)):
+            assert other.to_dict() == from_file.to_dict()
+
+    def test_settings_replace_keys_as_after_set(self, strip_file):
+        read = plastron.Case.read(str(strip_file), ["shell.thickness=0.01", "load[0].force=[0, 0, -1]"])
+        assert (read["shell.thickness"], read["load[0].force"]) == (0.01, [0, 0, -1])
+        assert read.settings == ("shell.thickness=0.01", "load[0].force=[0, 0, -1]")
+
+    def test_the_text_of_the_case_contains_the_settings(self, case):
+        case["shell.thickness"] = 0.01
+        assert tomllib.loads(case.text)["shell"]["thickness"] == 0.01
+
+    def test_all_effective_settings_make_the_same_case_again(self, case):
+        assert plastron.Case.from_dict(case.to_dict()).to_dict() == case.to_dict()
+
+    def test_the_dictionary_is_a_copy(self, case):
+        case.to_dict()["shell"]["thickness"] = 1
+        assert case["shell.thickness"] == 0.05
+
+    def test_files_are_sought_beside_the_case_file_and_in_the_given_folder(self, tmp_path):
+        (tmp_path / "raster.asc").write_text("ncols 2\nnrows 2\nxllcorner -9\nyllcorner -9\ncellsize 18\n0 0\n0 0\n")
+        sections = tomllib.loads(STRIP)
+        sections["obstacle"] = [{"height_field": {"file": "raster.asc"}}]
+        case = plastron.Case.from_dict(sections, folder=tmp_path)
+        assert [str(path) for path in case.files.values()] == [str(tmp_path / "raster.asc")]
+        assert "raster.asc" in refusal(plastron.Case.from_dict, sections)
+
+    def test_title_and_file_name_are_known(self, strip_file):
+        read = plastron.Case.read(strip_file)
+        assert (read.title, read.file_name) == ("A strip pressed on a table", str(strip_file))
+        assert "A strip pressed on a table" in repr(read)
+
+
+class TestKeys:
+    @pytest.mark.parametrize(
+        "key, value",
+        [
+            ("shell.E", 1),
+            ("shell.stabilisation", 1),  # these three are defaults
+            ("mesh.tying", True),
+            ("shell.formulation", "tangent"),
+            ("load[0].force", [0, 0, -2e-5]),
+            ("load[0].force[2]", -2e-5),
+            ("geometry.domain.rectangle.cells", [4, 2]),
+            ("obstacle[0].name", "table"),
+        ],
+    )
+    def test_a_key_gives_the_value_in_force(self, case, key, value):
+        assert case[key] == value
+        assert key in case
+
+    @pytest.mark.parametrize("key", ["shell.thicknes", "load[1].force", "shell.E.x", "support[0].thickness", "no[-1]", ""])
+    def test_a_key_that_the_case_does_not_have_is_a_key_error(self, case, key):
+        with pytest.raises(KeyError, match=re.escape(key)):
+            case[key]
+        assert key not in case
+
+    @pytest.mark.parametrize(
+        "key, value, expected",
+        [
+            ("shell.thickness", 0.01, 0.01),
+            ("shell.thickness", "0.01 + 0.01*x", "0.01 + 0.01*x"),
+            ("shell.thickness", np.float64(0.02), 0.02),
+            ("shell.thickness", np.float32(0.5), 0.5),
+            ("shell.thickness", np.array(0.03), 0.03),
+            ("mesh.refinements", np.int64(3), 3),
+            ("mesh.tying", np.bool_(False), False),
+            ("mesh.tying", False, False),
+            ("load[0].force", (0, 1, 2.5), [0, 1, 2.5]),
+            ("load[0].force", np.array([0, 0, -1]), [0, 0, -1]),
+            ("load[0].force", [0, "x", np.float64(1)], [0, "x", 1]),
+            ("obstacle[0].half_space", {"point": np.zeros(3), "normal": [0, 0, 2]}, {"point": [0, 0, 0], "normal": [0, 0, 2]}),
+            ("geometry.domain.rectangle.to", [2, 1], [2, 1]),
+            ("geometry.chart", ["x", "y", "x*y"], ["x", "y", "x*y"]),
+            ("title", 'a "quoted" \\ title = 1 # none', 'a "quoted" \\ title = 1 # none'),
+            ("title", "'single' and '''three'''", "'single' and '''three'''"),
+            ("title", "käse ☃ 😀", "käse ☃ 😀"),
+            ("probe[0].name", "a=b", "a=b"),
+            ("constants.q", 3, 3),
+        ],
+    )
+    def test_a_value_replaces_another(self, case, key, value, expected):
+        case[key] = value
+        assert case[key] == expected
+
+    def test_a_key_with_quotes_can_be_set_and_read(self, case):
+        case['accuracy."probe.tip.u.z"'] = 0.01
+        assert case.to_dict()["accuracy"]["probe.tip.u.z"] == 0.01
+        assert case['accuracy."probe.tip.u.z"'] == 0.01
+
+    def test_the_last_value_of_a_key_counts(self, case):
+        case["shell.thickness"] = 0.01
+        case["shell.E"] = 2
+        case["shell.thickness"] = 0.02
+        assert case["shell.thickness"] == 0.02
+        assert sorted(case.settings) == ["shell.E=2", "shell.thickness=0.02"]
+
+    def test_a_refused_value_leaves_the_case_as_it_was(self, case):
+        refusal(case.__setitem__, "shell.thickness", -1)
+        assert case["shell.thickness"] == 0.05
+        assert case.settings == ()
+
+    @pytest.mark.parametrize("value", [None, object(), {1, 2}, 1j])
+    def test_a_value_that_a_case_cannot_have_is_a_type_error(self, case, value):
+        with pytest.raises(TypeError, match="a case has texts, numbers, lists and tables"):
+            case["shell.thickness"] = value
+
+    def test_with_settings_changes_a_copy(self, case):
+        other = case.with_settings({"shell.thickness": 0.01, "shell.E": 2})
+        assert (other["shell.thickness"], other["shell.E"], case["shell.thickness"]) == (0.01, 2, 0.05)
+
+
+class TestCopies:
+    @pytest.mark.parametrize("copied", [plastron.Case.copy, copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c))],
+                             ids=["copy", "copy.copy", "copy.deepcopy", "pickle"])
+    def test_a_copy_is_equal_and_changes_by_itself(self, case, copied):
+        case["shell.E"] = 2
+        other = copied(case)
+        assert (other.text, other.to_dict(), other.settings) == (case.text, case.to_dict(), case.settings)
+        other["shell.thickness"] = 0.01
+        assert case["shell.thickness"] == 0.05
+        assert other["shell.E"] == 2
+
+
+class TestRefusals:
+    @pytest.mark.parametrize(
+        "setting",
+        ["shell.thicknes=0.1", "shell.thickness=-1", "shell.thickness=true", "shell.thickness=nan", "shell.thickness=inf",
+         'shell.thickness="q"', "shell=1", "load[3].force=[0, 0, 1]", "load[0].force=[0, 0]", "mesh.degree=2.5",
+         "nothing=1", "mesh.degree=12", 'support[0].fix=["w"]'],
+    )
+    def test_a_bad_setting_has_the_text_of_the_command_line(self, case, strip_file, setting):
+        key, value = setting.split("=", 1)
+        text = refusal(case.__setitem__, key, tomllib.loads("v=" + value)["v"])
+        outcome = command("check", strip_file, "--set", setting, directory=strip_file.parent)
+        assert outcome.returncode == 2
+        assert words_of(text) == words_of(outcome.stderr)
+
+    def test_mistakes_are_data(self):
+        with pytest.raises(plastron.CaseError) as caught:
+            plastron.Case.from_text(STRIP.replace("thickness", "thicknes"), "my.toml")
+        one = next(mistake for mistake in caught.value.mistakes if "unknown key" in mistake["what"])
+        assert (one["file"], one["line"], one["column"]) == ("my.toml", 6, 1)
+        assert one["what"] == 'unknown key "thicknes" in [shell]'
+        assert "thickness" in one["allowed"].split(", ")
+        assert one["advice"] == 'did you mean "thickness"?'
+
+    @pytest.mark.parametrize("content", [None, b"", b" \n\t\n", b'title = "caf\xe9"\n', b"a = 1\0\n", b"a = [1\n"],
+                             ids=["missing", "empty", "blank", "not UTF-8", "a zero byte", "no TOML"])
+    def test_an_unreadable_file_has_the_text_of_the_command_line(self, tmp_path, content):
+        file = tmp_path / "file.toml"
+        if content is not None:
+            file.write_bytes(content)
+        text = refusal(plastron.Case.read, file)
+        outcome = command("check", file, directory=tmp_path)
+        assert words_of(text).replace("\N{REPLACEMENT CHARACTER}", "?") == words_of(outcome.stderr)
+
+    def test_a_folder_has_the_text_of_the_command_line(self, tmp_path):
+        assert words_of(refusal(plastron.Case.read, tmp_path)) == words_of(command("check", tmp_path, directory=tmp_path).stderr)
+
+    def test_a_case_error_is_a_value_error_of_this_package(self):
+        assert issubclass(plastron.CaseError, ValueError) and issubclass(plastron.CaseError, plastron.PlastronError)
+
+    def test_a_case_error_can_go_to_another_process(self):
+        with pytest.raises(plastron.CaseError) as caught:
+            plastron.Case.from_text("titel = 1\n")
+        other = pickle.loads(pickle.dumps(caught.value))
+        assert (str(other), other.mistakes) == (str(caught.value), caught.value.mistakes)
+
+
+def some_are_slow(files, step):
+    """All files; the default run takes every step-th of them, because the program starts for each."""
+    return [pytest.param(file, id=file.stem, marks=[pytest.mark.slow] * (i % step != 0)) for i, file in enumerate(files)]
+
+
+@pytest.fixture(scope="module")
+def answers(request, tmp_path_factory):
+    """What the command line prints about the wrong cases of this run: file -> outcome. Two at a time."""
+    directory = tmp_path_factory.mktemp("answers")
+    files = [item.callspec.params["wrong"] for item in request.session.items if "wrong" in getattr(item, "fixturenames", [])]
+    with ThreadPoolExecutor(2) as pool:
+        return dict(zip(files, pool.map(lambda file: command("check", file, directory=directory), files)))
+
+
+class TestWrongCases:
+    def test_there_are_wrong_cases(self):
+        assert len(WRONG_TEXTS) > 200 and len(WRONG_MODELS) > 40 and PROGRAM.exists()
+
+    @pytest.mark.parametrize("wrong", some_are_slow(WRONG_TEXTS, 12))
+    def test_a_wrong_text_is_refused_in_the_words_of_the_command_line(self, wrong, answers):
+        text = refusal(plastron.Case.read, wrong)
+        assert answers[wrong].returncode == 2
+        assert words_of(text) == words_of(answers[wrong].stderr)
+
+    @pytest.mark.parametrize("wrong", some_are_slow(WRONG_MODELS, 8))
+    def test_a_wrong_model_is_refused_in_the_words_of_the_command_line(self, wrong, answers):
+        text = refusal(plastron.solve, plastron.Case.read(wrong))
+        assert answers[wrong].returncode == 2
+        assert words_of(text) == words_of(answers[wrong].stderr)
+
+
+class TestExamination:
+    def printed(self, findings, file):
+        """Findings in the form of the command line: notes on its output, the others among its errors."""
+        notes = [f"  {f.text}" for f in findings if f.severity == "note"]
+        others = [f"{file}: {f.severity}: {f.text}" for f in findings if f.severity != "note"]
+        return words_of("\n".join(notes)), words_of("\n".join(others))
+
+    @pytest.mark.parametrize("name", ["strip", "bowl-on-table", "tube-between-plates", "thermostat", "free-panel"])
+    def test_the_findings_are_those_that_the_command_line_prints(self, strip_file, name):
+        file = strip_file if name == "strip" else SOURCE / "cases" / name / "case.toml"
+        findings = plastron.Case.read(file).check()
+        outcome = command("check", file, directory=strip_file.parent)
+        notes, others = self.printed(findings, file)
+        output = words_of(outcome.stdout.split("\n", 1)[1])
+        assert notes and output == notes + " ready to run"
+        assert words_of(outcome.stderr) == others
+
+    def test_errors_are_findings_and_not_raised(self, case):
+        case["support[0].fix"] = ["u.x"]
+        errors = [finding for finding in case.check() if finding.severity == "error"]
+        assert errors and "rigid motion" in errors[0].text
+        assert repr(errors[0]) == f"error: {errors[0].text}"
+        assert errors[0] == plastron.Finding("error", errors[0].text) != plastron.Finding("note", errors[0].text)
+
+
+class TestSections:
+    def test_every_section_of_the_declarations_is_a_class(self):
+        from plastron import _case
+
+        paths = {path for path, _, _ in _case.declarations() if path}
+        assert paths == {getattr(plastron.sections, name).path for name in plastron.sections.__all__}
+        assert len(paths) > 30
+
+    def test_the_documentation_of_every_key_has_its_unit_and_range(self):
+        from plastron import _case
+
+        for path, meaning, keys in _case.declarations():
+            if not path:
+                continue
+            section = next(s for s in map(plastron.sections.__dict__.get, plastron.sections.__all__) if s.path == path)
+            assert f"[{path}]" in section.__doc__ and meaning in section.__doc__
+            for name, _, unit, default, allowed, text, required in keys:
+                place = section.__doc__.index(f"\n{name}: {text}")
+                line = section.__doc__[place:].split(f"{name}: {text}\n", 1)[1].splitlines()[0]
+                for fact in (f"unit {unit}" if unit else "", allowed, "required" if required else default):
+                    assert fact in line, f"{path}.{name}"
+
+    def test_units_are_those_of_the_case_file(self):
+        assert re.search(r"^E: .*\n    .*unit Pa; E > 0", plastron.sections.Shell.__doc__, re.M)
+        assert re.search(r"^radius: .*\n    .*unit m; .*required", plastron.sections.ObstacleBall.__doc__, re.M)
+
+    def test_sections_make_a_case(self, case):
+        s = plastron.sections
+        other = plastron.Case(
+            title="A strip pressed on a table",
+            shell=s.Shell(E=1, nu=0.3, thickness=0.05),
+            geometry=s.Geometry(domain={"rectangle": {"from": [0, 0], "to": [1, 0.5], "cells": [4, 2]}}, chart=["x", "y", 0.05]),
+            mesh=s.Mesh(degree=2, refinements=1),
+            support=[s.Support(boundary="left", fix=["u", "r"])],
+            load=[s.Load(force=[0, 0, -2e-5])],
+            obstacle=[s.Obstacle(name="table", half_space=s.ObstacleHalfSpace(point=[0, 0, 0], normal=[0, 0, 1]))],
+            probe=[s.Probe(name="tip", at=[1, 0.25])],
+        )
+        assert other.to_dict() == case.to_dict()
+
+    def test_a_section_refuses_unknown_keys(self):
+        with pytest.raises(TypeError, match="Shell has no key 'thicknes'; its keys are E, nu"):
+            plastron.sections.Shell(thicknes=1)
+
+    def test_a_section_accepts_free_names_where_the_case_file_does(self):
+        assert plastron.sections.Constants(R=1, e="R/2") == {"R": 1, "e": "R/2"}
+
+
+STRANGE = ["", "a'b", '"', "\\", "\\\\n", "\n", "\r\n", "\t", "\b\f", "\x00", "\x01", "\x1f", "\x7f", "\x80", "\x85", "\xa0", "\u2028",
+           "\ufeff", "é", "☃", "😀", "\U000e0001", "#", "= 1", "'''", '"""', "]", "}", "${x}", " lead and trail "]
+
+
+class TestToml:
+    @pytest.mark.parametrize("text", STRANGE, ids=ascii)
+    def test_a_text_comes_back(self, text):
+        assert tomllib.loads("a = " + toml_text.value(text)) == {"a": text}
+
+    @pytest.mark.parametrize("text", STRANGE, ids=ascii)
+    def test_a_key_comes_back(self, text):
+        assert tomllib.loads(toml_text.key(text) + " = 1") == {text: 1}
+
+    @pytest.mark.parametrize("text", STRANGE, ids=ascii)
+    def test_a_text_comes_back_from_a_case(self, text):
+        from_dictionary = plastron.Case.from_dict(tomllib.loads(STRIP) | {"title": text})
+        assert from_dictionary.title == text
+        assert plastron.Case.from_text(STRIP).with_settings({"title": text}).title == text
+
+    @pytest.mark.parametrize("number", [0, -1, 2**53 + 1, 0.1, 1e300, 5e-324, 1e22, 123456789.123456789, -0.0, True, False])
+    def test_a_number_comes_back_to_the_last_digit(self, number):
+        back = tomllib.loads("a = " + toml_text.value(number))["a"]
+        assert (back, type(back)) == (number, type(number))
+
+    @pytest.mark.parametrize("number", [float("inf"), float("-inf")])
+    def test_infinity_comes_back(self, number):
+        assert tomllib.loads("a = " + toml_text.value(number)) == {"a": number}
+
+    @pytest.mark.parametrize(
+        "document",
+        [
+            {"title": "x", "t": {"a": 1, "b": {"c": [1, 2.5, "z"]}}},
+            {"list": [{"a": 1}, {"b": {"c": []}}], "last": 2},
+            {"empty": [], "nothing": {}, "a b": {"c.d": 1, "": 2}},
+            {"mixed": [1, {"a": 1}], "deep": [[[1], []], [{"x": [{"y": 1}]}]]},
+            {"regions": [{}, {"name": "a"}]},
+        ],
+    )
+    def test_a_document_comes_back(self, document):
+        assert tomllib.loads(toml_text.document(document)) == document
+
+    def test_arrays_are_lists(self):
+        document = {"a": np.arange(3), "b": np.eye(2), "c": np.float32(0.5), "d": [np.int8(1)]}
+        assert tomllib.loads(toml_text.document(document)) == {"a": [0, 1, 2], "b": [[1, 0], [0, 1]], "c": 0.5, "d": [1]}
+
+    def test_every_case_of_the_gallery_comes_back(self):
+        files = sorted((SOURCE / "cases").glob("*/case.toml"))
+        assert len(files) > 20
+        for file in files:
+            sections = tomllib.loads(file.read_text(encoding="utf-8"))
+            assert tomllib.loads(toml_text.document(sections)) == sections
+            assert plastron.Case.from_dict(sections, file.parent).to_dict() == plastron.Case.read(file).to_dict()

@@ -1,0 +1,164 @@
+"""Functions of Python in cases, compared with expressions that say the same."""
+
+import conftest
+import numpy as np
+import plastron
+import pytest
+from conftest import quiet
+
+# Functions are called at many places, so that the mesh is small.
+STRIP = conftest.STRIP.replace("refinements = 1", "refinements = 0")
+THICKNESS = "0.04 + 0.01*x*x + 0.005*sin(y)"
+DOME = STRIP.replace('chart = ["x", "y", 0.05]', 'chart = ["x", "y", "0.05 + 0.1*sin(2*x)*cos(y) + 0.1*x^3"]')
+
+
+def thickness(x, y):
+    return 0.04 + 0.01 * x * x + 0.005 * np.sin(y)
+
+
+def dome(x, y):
+    return 0.05 + 0.1 * np.sin(2 * x) * np.cos(y) + 0.1 * x**3
+
+
+def dome_gradient(x, y):
+    return [0.2 * np.cos(2 * x) * np.cos(y) + 0.3 * x**2, -0.1 * np.sin(2 * x) * np.sin(y)]
+
+
+def dome_second(x, y):
+    xx = -0.4 * np.sin(2 * x) * np.cos(y) + 0.6 * x
+    return [xx, -0.2 * np.cos(2 * x) * np.sin(y), -0.1 * np.sin(2 * x) * np.cos(y)]
+
+
+def dome_that_is_not_analytic(x, y):
+    return 0.05 + 0.1 * np.sin(2 * x) * np.cos(y) + 0.1 * abs(x) ** 3
+
+
+def dome_in_the_other_order(y, x):
+    return dome(x, y)
+
+
+SWAPPED = plastron.Function(
+    dome_in_the_other_order, lambda y, x: dome_gradient(x, y)[::-1], lambda y, x: dome_second(x, y)
+)
+
+
+@pytest.fixture
+def case():
+    return plastron.Case.from_text(STRIP)
+
+
+def energy(case):
+    return quiet(plastron.solve, case).energy
+
+
+class TestValues:
+    def test_a_thickness_gives_the_energy_of_its_expression(self, case):
+        expected = energy(case.with_settings({"shell.thickness": THICKNESS}))
+        assert energy(case.with_settings({"shell.thickness": thickness})) == pytest.approx(expected, rel=1e-12, abs=0)
+        assert energy(case.with_settings({"shell.thickness": plastron.Function(thickness)})) == pytest.approx(expected, rel=1e-12, abs=0)
+
+    def test_a_load_gives_the_energy_of_its_expression(self, case):
+        expected = energy(case.with_settings({"load[0].force": [0, 0, "-2e-5*(1 + x*y)"]}))
+        given = case.with_settings({"load[0].force": [0, 0, lambda x, y: -2e-5 * (1 + x * y)]})
+        assert energy(given) == pytest.approx(expected, rel=1e-12, abs=0)
+
+    def test_a_number_holds_everywhere(self, case):
+        assert energy(case.with_settings({"shell.thickness": lambda x: 0.05})) == pytest.approx(energy(case), rel=1e-12, abs=0)
+
+    @pytest.mark.slow
+    def test_functions_stand_in_dictionaries(self, case):
+        sections = case.to_dict() | {"shell": {"E": 1, "nu": 0.3, "thickness": thickness}}
+        assert energy(plastron.Case.from_dict(sections)) == energy(case.with_settings({"shell.thickness": thickness}))
+
+
+class TestDerivatives:
+    @pytest.mark.parametrize(
+        "function, digits",
+        [
+            (plastron.Function(dome, dome_gradient, dome_second), 1e-11),
+            pytest.param(plastron.Function(dome, dome_gradient), 1e-8, marks=pytest.mark.slow),
+            pytest.param(plastron.Function(dome), 1e-8, marks=pytest.mark.slow),
+            (plastron.Function(dome_that_is_not_analytic), 1e-6),
+            pytest.param(plastron.Function(dome_in_the_other_order), 1e-8, marks=pytest.mark.slow),
+            pytest.param(SWAPPED, 1e-11, marks=pytest.mark.slow),
+        ],
+        ids=["both given", "gradient given", "complex step", "differences", "arguments swapped", "swapped and given"],
+    )
+    def test_a_chart_gives_the_energy_of_its_expression(self, function, digits):
+        flat = plastron.Case.from_text(STRIP)
+        expected = energy(plastron.Case.from_text(DOME))
+        assert energy(flat.with_settings({"geometry.chart": ["x", "y", function]})) == pytest.approx(expected, rel=digits, abs=0)
+
+    @pytest.mark.slow
+    def test_components_make_a_chart_of_one_function(self):
+        chart = plastron.components(lambda x, y: (x, y, dome(x, y)))
+        case = plastron.Case.from_text(STRIP).with_settings({"geometry.chart": chart})
+        assert energy(case) == pytest.approx(energy(plastron.Case.from_text(DOME)), rel=1e-8, abs=0)
+
+    def test_a_wrong_gradient_changes_the_result(self):
+        """So that the gradients above are used at all."""
+        wrong = plastron.Function(dome, lambda x, y: [0 * x, 0 * y], lambda x, y: [0 * x] * 3)
+        try:
+            other = energy(plastron.Case.from_text(STRIP).with_settings({"geometry.chart": ["x", "y", wrong]}))
+        except plastron.CaseError:
+            return
+        assert other != pytest.approx(energy(plastron.Case.from_text(DOME)), rel=1e-3, abs=0)
+
+    @pytest.mark.slow
+    @pytest.mark.parametrize(
+        "obstacle, key, function",
+        [
+            ('height_field = { expression = "0.01*sin(3*X)*Y" }', "height_field.expression", lambda X, Y: 0.01 * np.sin(3 * X) * Y),
+            ('distance = "Z - 0.01*X"', "distance", lambda X, Z: Z - 0.01 * X),
+        ],
+        ids=["height", "distance"],
+    )
+    def test_an_obstacle_gives_the_energy_of_its_expression(self, obstacle, key, function):
+        text = STRIP.replace("half_space = { point = [0, 0, 0], normal = [0, 0, 1] }", obstacle)
+        case = plastron.Case.from_text(text)
+        assert energy(case.with_settings({f"obstacle[0].{key}": function})) == pytest.approx(energy(case), rel=1e-7, abs=0)
+
+
+class TestMistakes:
+    def test_other_arguments_are_refused(self, case):
+        for wrong, words in ((lambda u, v: u, "not u, v"), (lambda: 1, "not nothing")):
+            with pytest.raises(plastron.CaseError, match=f"takes some of x, y, X, Y, Z, {words}"):
+                case["shell.thickness"] = wrong
+
+    def test_an_exception_of_a_function_is_a_case_error_with_its_words(self, case):
+        def broken(x, y):
+            raise ZeroDivisionError("mine")
+
+        with pytest.raises(plastron.CaseError, match="(?s)broken.*failed.*ZeroDivisionError: mine"):
+            quiet(plastron.solve, case.with_settings({"shell.thickness": broken}))
+        assert energy(case) > 0
+
+    @pytest.mark.parametrize("wrong", [lambda x: x[:1] + 1, lambda x: np.ones((2, 2)), lambda x: "text", lambda x: None])
+    def test_other_shapes_are_refused(self, case, wrong):
+        with pytest.raises(plastron.CaseError, match="failed|thickness"):
+            quiet(plastron.solve, case.with_settings({"shell.thickness": wrong}))
+
+    def test_values_without_a_meaning_are_refused(self, case):
+        with pytest.raises(plastron.CaseError, match="thickness"):
+            quiet(plastron.solve, case.with_settings({"shell.thickness": lambda x: 0 * x - 1}))
+
+
+class TestFiles:
+    def test_the_result_is_verified_in_this_process(self, case, tmp_path):
+        solved = quiet(plastron.solve, case.with_settings({"shell.thickness": thickness}), output=tmp_path / "out")
+        assert solved.verify()
+        assert plastron.load(tmp_path / "out").energy == solved.energy
+
+    @pytest.mark.slow
+    def test_functions_of_a_module_go_to_other_processes(self, case):
+        alone = plastron.sweep(case.with_settings({"shell.thickness": thickness}), {"shell.E": [1, 2]}, workers=1)
+        together = plastron.sweep(case.with_settings({"shell.thickness": thickness}), {"shell.E": [1, 2]}, workers=2)
+        assert alone.to_csv() == together.to_csv() and alone["status"] == ["solved"] * 2
+
+    def test_functions_with_other_numbers_are_different(self, case):
+        def linear(slope):
+            return lambda x: 0.04 + slope * x
+
+        table = plastron.sweep(case, {"shell.thickness": [linear(0.005), linear(0.01)]}, workers=1)
+        expected = [energy(case.with_settings({"shell.thickness": f"0.04 + {slope}*x"})) for slope in (0.005, 0.01)]
+        assert table["energy"] == pytest.approx(expected, rel=1e-12, abs=0)

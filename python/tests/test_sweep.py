@@ -1,0 +1,356 @@
+"""Sweeps and combinations of loads."""
+
+import concurrent.futures
+import csv
+import io
+
+import numpy as np
+import plastron
+import pytest
+from conftest import STRIP, quiet
+from plastron.sweeping import load_settings
+from program import plastron as command, python
+
+THICKNESSES = [0.04, 0.05]
+POINTS = [[0, 0, 0], [0, 0, 0.01]]
+TWO = {"shell.thickness": THICKNESSES, "obstacle[0].half_space.point": POINTS}
+
+
+def times(folder):
+    """When the results of each case were written."""
+    return {file.parent.name: file.stat().st_mtime_ns for file in folder.glob("*/results.json")}
+
+
+class TestSweep:
+    def test_all_combinations_are_solved_and_the_last_key_changes_fastest(self, case):
+        table = plastron.sweep(case, TWO, workers=1)
+        assert table["shell.thickness"] == [0.04, 0.04, 0.05, 0.05]
+        assert table["obstacle[0].half_space.point"] == ["[0, 0, 0]", "[0, 0, 0.01]"] * 2
+        assert table["status"] == ["solved"] * 4
+        for i, (thickness, point) in enumerate((t, p) for t in THICKNESSES for p in POINTS):
+            one = quiet(plastron.solve, case.with_settings({"shell.thickness": thickness, "obstacle[0].half_space.point": point}))
+            assert table["energy"][i] == one.energy
+            assert table.rows[i]["contact.area"] == one.contact.area
+
+    def test_pairwise_values_belong_together(self, case):
+        table = plastron.sweep(case, TWO, pairwise=True, workers=1)
+        assert len(table) == 2
+        assert table["shell.thickness"] == THICKNESSES
+        assert table["obstacle[0].half_space.point"] == ["[0, 0, 0]", "[0, 0, 0.01]"]
+
+    def test_pairwise_lists_of_different_lengths_are_an_error(self, case):
+        with pytest.raises(ValueError):
+            plastron.sweep(case, {"shell.thickness": [0.04, 0.05], "shell.E": [1]}, pairwise=True, workers=1)
+
+    def test_values_may_be_arrays_and_iterators(self, case):
+        array = plastron.sweep(case, {"shell.thickness": np.linspace(0.04, 0.05, 2)}, workers=1)
+        iterator = plastron.sweep(case, {"shell.thickness": iter(THICKNESSES)}, workers=1)
+        both = plastron.sweep(case, {"shell.thickness": (t for t in THICKNESSES), "shell.E": iter([1, 2])}, workers=1)
+        assert array.to_csv() == iterator.to_csv()
+        assert len(both) == 4
+
+    def test_the_case_stays_as_it_was(self, case):
+        plastron.sweep(case, {"shell.thickness": [0.04]}, workers=1)
+        assert case["shell.thickness"] == 0.05 and case.settings == ()
+
+    def test_only_a_case_is_swept(self):
+        with pytest.raises(TypeError, match="takes a plastron.Case, not str"):
+            plastron.sweep("case.toml", {"shell.thickness": [0.04]})
+
+    def test_refused_cases_are_rows_with_the_reason(self, case):
+        table = plastron.sweep(case, {"shell.thickness": [0.05, -1, "x - 0.5"]}, workers=1)
+        assert table["status"] == ["solved", "refused", "refused"]
+        assert table.rows[1]["error"].startswith("--set shell.thickness=-1: error: thickness is -1, out of range")
+        assert "must be positive" in table.rows[2]["error"]
+        assert table["energy"][0] > 0 and table["energy"][1:] == [None, None]
+        assert "error" not in table.rows[0]
+
+    def test_cases_that_do_not_converge_are_rows_with_their_status(self, case):
+        table = plastron.sweep(case, {"solver.max_iterations": [1, 200]}, workers=1)
+        assert table["status"] == ["iteration_limit", "solved"]
+
+    def test_no_warnings_are_shown(self, case, recwarn):
+        plastron.sweep(case, {"shell.thickness": THICKNESSES}, workers=1)
+        assert len(recwarn) == 0
+
+
+class TestTable:
+    @pytest.fixture(scope="class")
+    def table(self):
+        return plastron.sweep(plastron.Case.from_text(STRIP), {"shell.thickness": THICKNESSES}, workers=1)
+
+    def test_columns_are_lists_and_rows_dictionaries(self, table):
+        assert len(table) == 2 and table.parameters == ["shell.thickness"]
+        assert table.columns[:2] == ["shell.thickness", "status"]
+        assert table["energy"] == [row["energy"] for row in table.rows]
+        with pytest.raises(KeyError, match="'energie': there is no such column; the first are shell.thickness, status"):
+            table["energie"]
+
+    def test_it_becomes_a_table_of_pandas(self, table):
+        frame = table.to_dataframe()
+        assert list(frame["energy"]) == table["energy"] and list(frame.columns) == table.columns
+        assert "<table" in table._repr_html_()
+
+    def test_its_file_has_the_same_numbers(self, table, tmp_path):
+        table.to_csv(tmp_path / "table.csv")
+        assert (tmp_path / "table.csv").read_text(encoding="utf-8") == table.to_csv()
+        rows = list(csv.DictReader(io.StringIO(table.to_csv())))
+        assert [float(row["energy"]) for row in rows] == table["energy"]
+
+    def test_texts_that_look_like_numbers_stay_texts(self, case):
+        table = plastron.sweep(case, {"title": ["1e3", "nan", "1_0", "true", ""]}, workers=1)
+        assert table["title"] == ["1e3", "nan", "1_0", "true", ""]
+
+
+class TestFolders:
+    def test_every_case_has_its_files(self, case, tmp_path):
+        plastron.sweep(case, {"shell.thickness": THICKNESSES}, directory=tmp_path / "out", workers=1)
+        assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["0001", "0002"]
+        for i, thickness in enumerate(THICKNESSES):
+            loaded = plastron.load(tmp_path / "out" / f"{i + 1:04}")
+            assert loaded.case["shell.thickness"] == thickness
+        assert not (tmp_path / "out/0001/report.html").exists()
+
+    def test_reports_are_written_if_asked_for(self, case, tmp_path):
+        plastron.sweep(case, {"shell.thickness": [0.05]}, directory=tmp_path, report=True, workers=1)
+        assert (tmp_path / "0001/report.html").exists()
+
+    def test_solved_cases_are_not_solved_again(self, case, tmp_path):
+        first = plastron.sweep(case, TWO, directory=tmp_path, workers=1)
+        before = times(tmp_path)
+        assert plastron.sweep(case, TWO, directory=tmp_path, workers=1).to_csv() == first.to_csv()
+        assert times(tmp_path) == before
+        (tmp_path / "0002/results.json").unlink()
+        (tmp_path / "0003/results.json").write_text("{")
+        assert plastron.sweep(case, TWO, directory=tmp_path, workers=1).to_csv() == first.to_csv()
+        assert [name for name, t in times(tmp_path).items() if t != before[name]] in (["0002", "0003"], ["0003", "0002"])
+
+    @pytest.mark.parametrize("goes_on", ["python", "program"])
+    def test_interrupted_cases_are_solved_again(self, strip_file, tmp_path, goes_on):
+        case = plastron.Case.read(strip_file)
+        first = plastron.sweep(case, {"shell.thickness": THICKNESSES}, directory=tmp_path / "out", workers=1)
+        file = tmp_path / "out/0001/results.json"
+        file.write_text(file.read_text().replace('"status": "solved"', '"status": "interrupted"', 1))
+        if goes_on == "python":
+            table = plastron.sweep(case, {"shell.thickness": THICKNESSES}, directory=tmp_path / "out", workers=1)
+            assert table.to_csv() == first.to_csv()
+        else:
+            words = ["--set", "shell.thickness=0.04,0.05", "--output", "out", "--quiet"]
+            assert command("sweep", strip_file, *words, directory=tmp_path).returncode == 0
+            assert (tmp_path / "out/table.csv").read_text() == first.to_csv()
+
+    def test_control_c_ends_a_sweep_in_this_process(self, tmp_path):
+        text = STRIP.replace("refinements = 1", "refinements = 4").replace("degree = 2", "degree = 3")
+        answer = python(
+            f"""
+import os, plastron, signal, threading
+case = plastron.Case.from_text({text!r})
+plastron.solve(case.with_settings({{"mesh.refinements": 0}}))
+threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    print(plastron.sweep(case, {{"shell.E": [1, 2, 3, 4]}}, workers=1)["status"])
+except KeyboardInterrupt:
+    print("ended")
+""",
+            tmp_path,
+        )
+        assert answer == "ended\n"
+
+    def test_another_case_is_solved_again(self, case, tmp_path):
+        plastron.sweep(case, {"shell.thickness": THICKNESSES}, directory=tmp_path, workers=1)
+        before = times(tmp_path)
+        case["shell.E"] = 2
+        table = plastron.sweep(case, {"shell.thickness": THICKNESSES}, directory=tmp_path, workers=1)
+        assert all(times(tmp_path)[name] > before[name] for name in before)
+        assert table["energy"][1] == quiet(plastron.solve, case.with_settings({"shell.thickness": 0.05})).energy
+
+    def test_the_table_is_that_of_the_program_byte_by_byte(self, strip_file, tmp_path):
+        words = ["--set", "shell.thickness=0.04,0.05", "--set", "obstacle[0].half_space.point=[0, 0, 0],[0, 0, 0.01]"]
+        outcome = command("sweep", strip_file, *words, "--output", "out", "--table", "program.csv", "--quiet", directory=tmp_path)
+        assert outcome.returncode == 0, outcome.stderr
+        plastron.sweep(plastron.Case.read(strip_file), TWO, workers=1).to_csv(tmp_path / "python.csv")
+        assert (tmp_path / "python.csv").read_bytes() == (tmp_path / "program.csv").read_bytes()
+
+    def test_the_table_with_a_refused_case_is_that_of_the_program(self, strip_file, tmp_path):
+        words = ["--set", 'support[0].fix=["u", "r"],["u.x"]', "--output", "out", "--quiet"]
+        outcome = command("sweep", strip_file, *words, directory=tmp_path)
+        assert outcome.returncode == 3
+        table = plastron.sweep(plastron.Case.read(strip_file), {"support[0].fix": [["u", "r"], ["u.x"]]}, workers=1)
+        assert table.to_csv() == (tmp_path / "out/table.csv").read_text()
+
+    def test_the_table_over_texts_is_that_of_the_program(self, strip_file, tmp_path):
+        words = ["--set", 'shell.thickness="0.04 + 0.01*x",0.05', "--output", "out", "--quiet"]
+        assert command("sweep", strip_file, *words, directory=tmp_path).returncode == 0
+        table = plastron.sweep(plastron.Case.read(strip_file), {"shell.thickness": ["0.04 + 0.01*x", 0.05]}, workers=1)
+        assert table.to_csv() == (tmp_path / "out/table.csv").read_text()
+
+    def test_python_and_the_program_go_on_with_each_other(self, strip_file, tmp_path):
+        words = ["sweep", strip_file, "--set", "shell.thickness=0.04,0.05", "--output", "out", "--quiet"]
+        command(*words, directory=tmp_path)
+        before = times(tmp_path / "out")
+        table = plastron.sweep(plastron.Case.read(strip_file), {"shell.thickness": THICKNESSES}, directory=tmp_path / "out", workers=1)
+        assert times(tmp_path / "out") == before and len(before) == 2
+        assert table.to_csv() == (tmp_path / "out/table.csv").read_text()
+        (tmp_path / "out/0001/results.json").unlink()
+        plastron.sweep(plastron.Case.read(strip_file), {"shell.thickness": THICKNESSES}, directory=tmp_path / "out", workers=1)
+        by_python = times(tmp_path / "out")
+        command(*words, directory=tmp_path)
+        assert times(tmp_path / "out") == by_python
+
+
+class TestExecutors:
+    @pytest.fixture(scope="class")
+    def expected(self):
+        return plastron.sweep(plastron.Case.from_text(STRIP), TWO, workers=1).to_csv()
+
+    def test_processes_are_the_default(self, case, expected, monkeypatch):
+        started = []
+
+        class Pool(concurrent.futures.ProcessPoolExecutor):
+            def __init__(self, workers):
+                started.append(workers)
+                super().__init__(workers)
+
+        monkeypatch.setattr(concurrent.futures, "ProcessPoolExecutor", Pool)
+        assert plastron.sweep(case, TWO, workers=2).to_csv() == expected
+        assert started == [2]
+
+    @pytest.mark.parametrize("kind", [concurrent.futures.ProcessPoolExecutor, concurrent.futures.ThreadPoolExecutor])
+    def test_executors_of_the_standard_library(self, case, expected, kind):
+        with kind(2) as executor:
+            assert plastron.sweep(case, TWO, executor=executor).to_csv() == expected
+            assert executor.submit(int, "3").result() == 3  # it is still usable
+
+    def test_threads_show_no_warnings(self, case, recwarn):
+        with concurrent.futures.ThreadPoolExecutor(4) as executor:
+            plastron.sweep(case, {"shell.thickness": np.linspace(0.04, 0.05, 12)}, executor=executor)
+        assert [w for w in recwarn if issubclass(w.category, plastron.PlastronWarning)] == []
+
+    def test_processes_work_after_a_solution_in_this_process(self, case, expected):
+        quiet(plastron.solve, case)
+        assert plastron.sweep(case, TWO, workers=2).to_csv() == expected
+
+    def test_refused_cases_come_back_from_processes(self, case):
+        table = plastron.sweep(case, {"shell.thickness": [0.05, "x - 0.5", -1]}, workers=2)
+        assert table["status"] == ["solved", "refused", "refused"]
+        assert "must be positive" in table.rows[1]["error"]
+
+    @pytest.mark.parametrize("processes", [False, True], ids=["threads", "processes"])
+    def test_executors_of_dask(self, processes, expected, tmp_path):
+        pytest.importorskip("distributed")
+        answer = python(
+            f"""
+import distributed, plastron
+if __name__ == "__main__":
+    case = plastron.Case.from_text({STRIP!r})
+    with distributed.Client(processes={processes}, n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        table = plastron.sweep(case, {TWO!r}, executor=client.get_executor())
+    table.to_csv("table.csv")
+""",
+            tmp_path,
+        )
+        assert (tmp_path / "table.csv").read_text() == expected, answer
+
+    @pytest.mark.parametrize("module", [("-m", "mpi4py.futures"), ()], ids=["under mpi4py.futures", "in one program"])
+    def test_executors_of_mpi4py(self, expected, tmp_path, module):
+        """Workers solve on themselves while the first rank waits for them."""
+        pytest.importorskip("mpi4py")
+        executor = "MPIPoolExecutor()" if module else "MPICommExecutor(MPI.COMM_WORLD, root=0)"
+        python(
+            f"""
+from mpi4py import MPI
+from mpi4py.futures import MPICommExecutor, MPIPoolExecutor
+import plastron
+if __name__ == "__main__":
+    case = plastron.Case.from_text({STRIP!r})
+    with {executor} as executor:
+        if executor is not None:
+            plastron.sweep(case, {TWO!r}, executor=executor).to_csv("table.csv")
+""",
+            tmp_path,
+            ranks=3,
+            seconds=10,
+            module=module,
+        )
+        assert (tmp_path / "table.csv").read_text() == expected
+
+
+LOADS = STRIP.replace("thickness = 0.05", "thickness = 0.05\ndensity = 2.0").replace(
+    "[[load]]\nforce = [0, 0, -2e-5]",
+    """[[load]]
+force = [{0}*1e-6, 0, "{0}*(-2e-5*(1 + x))"]
+
+[[load]]
+pressure = "{1}*(1e-6*y)"
+
+[[load]]
+boundary = "right"
+force = [0, 0, {2}*1e-6]
+
+[[load]]
+boundary = "right"
+couple = [0, {3}*1e-8, 0]
+
+[gravity]
+acceleration = [0, 0, {4}*(-1e-5)]""",
+)
+
+
+def loaded(*factors):
+    """The strip with five loads, written by hand with their factors."""
+    text = LOADS
+    for i, factor in enumerate(factors):
+        text = text.replace(f"{{{i}}}*1e-6, 0, \"", f"{factor * 1e-6!r}, 0, \"").replace(f"\"{{{i}}}*", f"\"{factor!r}*")
+        for number in ("1e-6", "1e-8", "(-1e-5)"):
+            text = text.replace(f"{{{i}}}*{number}", repr(factor * float(number.strip("()"))))
+    return plastron.Case.from_text(text)
+
+
+class TestCombinations:
+    combinations = {
+        "all": {"load[0]": 1, "load[1]": 1, "load[2]": 1, "load[3]": 1, "gravity": 1},
+        "wind": {"load[0]": 1.35, "load[1]": 0.9},
+        "weight": {"gravity": 1.5, "load[2]": -1, "load[3]": 2},
+        "none": {},
+    }
+    factors = {"all": (1, 1, 1, 1, 1), "wind": (1.35, 0.9, 0, 0, 0), "weight": (0, 0, -1, 2, 1.5), "none": (0, 0, 0, 0, 0)}
+
+    def test_a_combination_is_the_case_with_its_factors_written_by_hand(self):
+        table = plastron.combine(loaded(1, 1, 1, 1, 1), self.combinations, workers=1)
+        assert table["combination"] == list(self.combinations) and table.columns[0] == "combination"
+        assert table["status"] == ["solved"] * 4
+        for i, name in enumerate(self.combinations):
+            one = quiet(plastron.solve, loaded(*self.factors[name]))
+            np.testing.assert_allclose(table["energy"][i], one.energy, rtol=1e-9, atol=1e-25)
+            np.testing.assert_allclose([table[f"loads.force_{axis}"][i] for axis in "xyz"], one.loads.force, rtol=1e-12, atol=1e-20)
+        assert len(set(table["energy"])) == 4 and table["energy"][3] == 0
+
+    def test_combinations_go_to_executors_and_folders(self, tmp_path):
+        case = loaded(1, 1, 1, 1, 1)
+        alone = plastron.combine(case, self.combinations, workers=1)
+        with concurrent.futures.ThreadPoolExecutor(2) as executor:
+            assert plastron.combine(case, self.combinations, executor=executor, directory=tmp_path).to_csv() == alone.to_csv()
+        before = times(tmp_path)
+        plastron.combine(case, self.combinations, directory=tmp_path, workers=1)
+        assert times(tmp_path) == before and len(before) == 4
+
+    def test_names_of_combinations_are_texts(self, case):
+        assert plastron.combine(case, {"1": {"load[0]": 1}, "nan": {}}, workers=1)["combination"] == ["1", "nan"]
+
+    def test_settings_multiply_numbers_and_expressions(self):
+        settings = load_settings(loaded(1, 1, 1, 1, 1), {"load[0]": 2, "gravity": 0.5})
+        np.testing.assert_allclose(settings["load[0].force"][:2], [2e-6, 0])
+        assert settings["load[0].force"][2] == "2.0 * (1*(-2e-5*(1 + x)))"
+        assert settings["load[1].pressure"] == "0.0 * (1*(1e-6*y))"
+        assert settings["load[2].force"] == [0, 0, 0] and settings["load[3].couple"] == [0, 0, 0]
+        np.testing.assert_allclose(settings["gravity.acceleration"], [0, 0, -0.5e-5])
+
+    def test_the_factor_one_changes_nothing(self, case, result):
+        other = case.with_settings(load_settings(case, {"load[0]": 1}))
+        assert other["load[0].force"] == case["load[0].force"]
+        assert quiet(plastron.solve, other).energy == result.energy
+
+    @pytest.mark.parametrize("name", ["load[5]", "gravity", "wind"])
+    def test_an_unknown_load_is_refused(self, case, name):
+        with pytest.raises(plastron.CaseError, match=r"the case has no such load; it has load\[0\]"):
+            plastron.combine(case, {"a": {name: 1}})
