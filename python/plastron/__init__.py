@@ -22,6 +22,7 @@ _LAZY = {
     "components": "functions",
     "sweep": "sweeping",
     "combine": "sweeping",
+    "derivatives": "sweeping",
     "Table": "sweeping",
     "sections": "sections",
 }

@@ -15,6 +15,7 @@ from .solving import solve as solve
 from .solving import verify as verify
 from .sweeping import Table as Table
 from .sweeping import combine as combine
+from .sweeping import derivatives as derivatives
 from .sweeping import sweep as sweep
 from . import sections as sections
 

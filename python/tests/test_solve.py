@@ -46,9 +46,9 @@ class TestNumbers:
     def test_a_part_of_another_name_is_an_error_with_the_names(self, result):
         with pytest.raises(KeyError, match="'chair': the names are table"):
             result.obstacles["chair"]
-        with pytest.raises(AttributeError, match="there is no energie; there are: title, status, .*energy"):
+        with pytest.raises(AttributeError, match="there is no energie in the result; there are: title, status, .*energy"):
             result.energie
-        with pytest.raises(AttributeError, match="there is no contact.size"):
+        with pytest.raises(AttributeError, match="there is no size in contact"):
             result.contact.size
         with pytest.raises(KeyError, match="there is no energie"):
             result["energie"]

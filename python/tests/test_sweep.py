@@ -25,7 +25,7 @@ class TestSweep:
     def test_all_combinations_are_solved_and_the_last_key_changes_fastest(self, case):
         table = plastron.sweep(case, TWO, workers=1)
         assert table["shell.thickness"] == [0.04, 0.04, 0.05, 0.05]
-        assert table["obstacle[0].half_space.point"] == ["[0, 0, 0]", "[0, 0, 0.01]"] * 2
+        assert table["obstacle[0].half_space.point"] == [[0, 0, 0], [0, 0, 0.01]] * 2
         assert table["status"] == ["solved"] * 4
         for i, (thickness, point) in enumerate((t, p) for t in THICKNESSES for p in POINTS):
             one = quiet(plastron.solve, case.with_settings({"shell.thickness": thickness, "obstacle[0].half_space.point": point}))
@@ -36,7 +36,7 @@ class TestSweep:
         table = plastron.sweep(case, TWO, pairwise=True, workers=1)
         assert len(table) == 2
         assert table["shell.thickness"] == THICKNESSES
-        assert table["obstacle[0].half_space.point"] == ["[0, 0, 0]", "[0, 0, 0.01]"]
+        assert table["obstacle[0].half_space.point"] == [[0, 0, 0], [0, 0, 0.01]]
 
     def test_pairwise_lists_of_different_lengths_are_an_error(self, case):
         with pytest.raises(ValueError):
@@ -354,3 +354,16 @@ class TestCombinations:
     def test_an_unknown_load_is_refused(self, case, name):
         with pytest.raises(plastron.CaseError, match=r"the case has no such load; it has load\[0\]"):
             plastron.combine(case, {"a": {name: 1}})
+
+
+class TestDerivatives:
+    def test_energy_without_contact_is_inverse_to_the_modulus(self, case):
+        free = plastron.Case.from_text(case.text.split("[[obstacle]]")[0])
+        energy = free.solve(report=False).energy
+        value, error = plastron.derivatives(free, ["shell.E"], workers=1)["shell.E"]["energy"]
+        assert value == pytest.approx(-energy / free["shell.E"], rel=1e-8)
+        assert error < 1e-4 * abs(value)
+
+    def test_a_key_that_is_no_number_is_refused(self, case):
+        with pytest.raises(ValueError, match="numbers that are not 0"):
+            plastron.derivatives(case, ["shell.formulation"])
