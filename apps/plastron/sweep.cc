@@ -118,6 +118,7 @@ pid_t start(const Member& member, const SweepOptions& options, const fs::path& p
   if (!options.with_reports) words.emplace_back("--no-report");
   for (const std::string& setting : member.settings) words.insert(words.end(), {"--set", setting});
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(program.c_str(), arguments.data());

@@ -4,6 +4,7 @@
 #include <plastron/computation/result.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/vtu_piece.hpp>
+#include <plastron/problem/unit_names.hpp>
 
 #include <filesystem>
 #include <string>
