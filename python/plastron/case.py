@@ -118,7 +118,7 @@ class Case:
                 value = value[part]
             except (KeyError, IndexError, TypeError):
                 raise KeyError(f"{key}: this case has no such key") from None
-        return value
+        return json.loads(json.dumps(value))  # a copy: changes in it would not be part of the case
 
     def __setitem__(self, key: str, value: Any) -> None:
         others = [s for s in self._settings if s.split("=", 1)[0].strip() != key]
@@ -165,9 +165,9 @@ class Case:
 
     def solve(self, **options: Any) -> Result:
         """Solves the case; the options are those of plastron.solve()."""
-        from .solving import solve
+        from .solving import solve_with_warnings
 
-        return solve(self, **options)
+        return solve_with_warnings(self, **options)
 
     def _native(self) -> Any:
         from . import _solver

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """A part of results.json: its entries are attributes. ``units`` gives their units, ``to_dict()`` plain values.
+    """A part of results.json: its entries are attributes. ``unit(name)`` gives their units, ``to_dict()`` plain values.
 
     Lists of parts with names, such as the obstacles, are found by name or number: ``result.obstacles["table"].force``.
     Vectors are NumPy arrays, numbers without a meaning None. ``reaction`` parts have ``force`` and ``moment``, which are also
@@ -91,6 +91,8 @@ class Records:
             if index not in names:
                 raise KeyError(f"{index!r}: the names are {', '.join(map(str, names))}")
             index = names.index(index)
+        if isinstance(index, slice):
+            raise TypeError("an index is a number or a name")
         return Record(self._data[index], self._path + "/*", self._units)
 
     def __iter__(self) -> Iterator[Record]:
@@ -101,7 +103,7 @@ class Records:
 
 
 class Fields(Dict[str, "np.ndarray[Any, Any]"]):
-    """The fields at the points of ``mesh``: name -> array, in double precision. ``units`` has their units.
+    """The fields at the points of the output mesh: name -> array, in double precision. ``units`` has their units.
 
     ``points`` (n x 3) are the places on the deformed mid-surface, ``cells`` (m x k) the points of each cell in VTK's order,
     ``cell_type`` VTK's number of their kind, ``of_cells`` the fields with one value for each cell. On several ranks these are
@@ -132,6 +134,7 @@ class Values(Dict[str, "np.ndarray[Any, Any]"]):
         for array, short in (("displacement", "u"), ("rotation", "r")):
             if array in self:
                 self.setdefault(short, self[array])
+                self.units.setdefault(short, self.units[array])
 
     def to_dataframe(self) -> Any:
         """Returns a pandas.DataFrame: a row for each point, components of vectors as name_x, name_y, name_z."""
@@ -206,7 +209,7 @@ class Result(Record):
         return {name: parsed(text) for name, text in _case.result_row(json.dumps(self._data))}
 
     def to_dataframe(self) -> Any:
-        """Returns the instants of a case with steps as a pandas.DataFrame, or the numbers of the result in one row."""
+        """Returns the instants of a case with steps as a pandas.DataFrame, or the numbers of the result in one row. Collective."""
         import pandas
 
         if self._data.get("history"):
@@ -239,7 +242,7 @@ class Result(Record):
 
     @property
     def directory(self) -> pathlib.Path:
-        """The folder with the result's files, which are those of the command line."""
+        """The folder with the result's files, which are those of the command line. Collective."""
         self._complete()
         return self._directory
 

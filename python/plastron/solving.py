@@ -41,21 +41,30 @@ def solve(
     cannot be written, and KeyboardInterrupt where no mesh was finished.
     """
     return solve_with_warnings(
-        case, output, report, progress, on_mesh, on_iteration, on_instant, comm, threads, tells_warnings=True
+        case,
+        output=output,
+        report=report,
+        progress=progress,
+        on_mesh=on_mesh,
+        on_iteration=on_iteration,
+        on_instant=on_instant,
+        comm=comm,
+        threads=threads,
     )
 
 
 def solve_with_warnings(
     case: Case,
-    output: Path | None,
-    report: bool,
-    progress: bool,
-    on_mesh: Callable[[int, Record], Any] | None,
-    on_iteration: Callable[[int, Record], Any] | None,
-    on_instant: Callable[[Record], Any] | None,
-    comm: Any,
-    threads: int,
-    tells_warnings: bool,
+    *,
+    output: Path | None = None,
+    report: bool = True,
+    progress: bool = False,
+    on_mesh: Callable[[int, Record], Any] | None = None,
+    on_iteration: Callable[[int, Record], Any] | None = None,
+    on_instant: Callable[[Record], Any] | None = None,
+    comm: Any = "world",
+    threads: int = 0,
+    tells_warnings: bool = True,
 ) -> Result:
     """solve(), with or without PlastronWarning."""
     from . import _solver
@@ -63,12 +72,13 @@ def solve_with_warnings(
     if not isinstance(case, Case):
         raise TypeError(f"solve() takes a plastron.Case, not {type(case).__name__}; Case.read() reads a file")
     _solver.start_session(threads)
-    bar = Progress() if progress else None
+    is_first = _solver.rank(comm) == 0  # the others tell nothing
+    bar = Progress() if progress and is_first else None
     told: set[str] = set()
 
     def warn(text: str) -> None:
         told.add(text)
-        if tells_warnings:
+        if tells_warnings and is_first:
             warnings.warn(text, PlastronWarning, stacklevel=4)
 
     followers = _solver.Followers(

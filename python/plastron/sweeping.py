@@ -97,6 +97,9 @@ def sweep(
 
     Cases that cannot be solved are rows with the status "refused".
     """
+    for key, values in parameters.items():
+        if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
+            raise TypeError(f"{key}: a sweep takes a list of values, not {values!r}")
     lists = [list(values) for values in parameters.values()]
     if pairwise and len({len(values) for values in lists}) > 1:
         raise ValueError(f"with pairwise all parameters have as many values: {[len(values) for values in lists]}")
@@ -174,9 +177,13 @@ def load_settings(case: Case, factors: Mapping[str, float]) -> dict[str, Any]:
     settings = {}
     for name in known:
         for key, value in case[name].items():
-            if key in ("force", "pressure", "moment", "acceleration", "couple") and value is not None:
+            if key in ("force", "pressure", "moment", "acceleration", "couple") and not _is_zero(value):
                 settings[f"{name}.{key}"] = _scaled(value, factors.get(name, 0))
     return settings
+
+
+def _is_zero(value: Any) -> bool:
+    return all(map(_is_zero, value)) if isinstance(value, (list, tuple)) else value in (None, 0)
 
 
 def _scaled(value: Any, factor: float) -> Any:
@@ -256,9 +263,7 @@ def _solve_one(state: Any, folder: str | None, report: bool) -> tuple[dict[str, 
     case = Case.__new__(Case)
     try:
         case.__setstate__(state)
-        result = solve_with_warnings(
-            case, folder, report, False, None, None, None, comm="self", threads=1, tells_warnings=False
-        )
+        result = solve_with_warnings(case, output=folder, report=report, comm="self", threads=1, tells_warnings=False)
         if result.status == "interrupted":
             raise KeyboardInterrupt
         return _row(result._data), None

@@ -367,3 +367,16 @@ class TestDerivatives:
     def test_a_key_that_is_no_number_is_refused(self, case):
         with pytest.raises(ValueError, match="numbers that are not 0"):
             plastron.derivatives(case, ["shell.formulation"])
+
+
+class TestLoads:
+    def test_a_pressure_that_follows_can_be_combined(self, case):
+        given = case.to_dict()
+        given["load"] = [{"pressure": -1e-5, "follows": True}]
+        given["shell"] = {"E": 1.0, "nu": 0.3, "thickness": 0.05, "rotations": "finite"}
+        given = {key: value for key, value in given.items() if key in ("shell", "load", "geometry", "support", "mesh")}
+        assert plastron.sweeping.load_settings(plastron.Case.from_dict(given), {"load[0]": 2}) == {"load[0].pressure": -2e-5}
+
+    def test_a_list_of_values_is_needed(self, case):
+        with pytest.raises(TypeError, match="takes a list of values"):
+            plastron.sweep(case, {"shell.formulation": "tangent"})
