@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import hashlib
 import inspect
 import sys
+import uuid
 from typing import Any, Callable, Iterable
 
 import numpy as np
@@ -103,7 +103,7 @@ class Function:
         self.arguments = _arguments(f)
         self._takes_complex: bool | None = None
         self._stencils: dict[Any, _Stencil] = {}
-        self.name = "python_" + _identifier(f) + "_" + _digest(f)
+        self.name = f"python_{_identifier(f)}_{uuid.uuid4().hex}"  # no two functions may be taken for one
 
     def __call__(self, *arguments: Any) -> Any:
         return self.f(*arguments)
@@ -206,7 +206,6 @@ def components(f: Callable[..., Any], **options: Any) -> list[Function]:
 
         value.__signature__ = inspect.signature(f)  # type: ignore[attr-defined]
         value.__name__ = f"{_identifier(f)}_{k}"
-        value.plastron_source = (f, k)  # type: ignore[attr-defined]
         return Function(value, **options)
 
     return [component(k) for k in range(count)]
@@ -237,18 +236,3 @@ def _arguments(f: Callable[..., Any]) -> list[int]:
 def _identifier(f: Any) -> str:
     name = getattr(f, "__name__", type(f).__name__)
     return "".join(c if c.isalnum() and c.isascii() else "_" for c in name).strip("_") or "function"
-
-
-def _digest(f: Any) -> str:
-    """Returns digits that tell functions of one name apart, and are the same in every process."""
-    f, extra = getattr(f, "plastron_source", (f, None))
-    code = getattr(f, "__code__", None)
-    if code is None:
-        return hashlib.sha256(repr((type(f).__qualname__, vars(f) if hasattr(f, "__dict__") else ())).encode()).hexdigest()[:10]
-    cells = [repr(cell.cell_contents) for cell in f.__closure__ or ()]
-    text = repr((code.co_code, _constants(code), code.co_names, f.__defaults__, cells, extra))
-    return hashlib.sha256(text.encode()).hexdigest()[:10]
-
-
-def _constants(code: Any) -> list[Any]:
-    return [c.co_code if inspect.iscode(c) else c for c in code.co_consts]

@@ -91,7 +91,8 @@ def sweep(
     executor: any executor in the form of concurrent.futures; without one, as many processes as there are cores (``workers``).
         0 or 1 workers solve the cases in this process.
     directory: folder in which each case has a folder 0001, 0002, ... with its files. A case that is solved there already is not
-        solved again, so that an interrupted sweep goes on. ``plastron sweep`` uses the same folders.
+        solved again, so that an interrupted sweep goes on; cases with functions of Python are always solved. ``plastron sweep``
+        uses the same folders.
     report: whether each of these has a report.html.
     progress: shows the number of finished cases.
 
@@ -277,7 +278,7 @@ def _row(results: dict[str, Any]) -> dict[str, str]:
 
 def _results_in(folder: str | None, case: Case) -> dict[str, Any] | None:
     """Returns the results of the same case in a folder; None if there are none."""
-    if folder is None:
+    if folder is None or case._functions:  # what a function computes cannot be told from its text
         return None
     try:
         results = json.loads((pathlib.Path(folder) / "results.json").read_text(encoding="utf-8"))

@@ -5,6 +5,7 @@ import csv
 import io
 
 import numpy as np
+import sys
 import plastron
 import pytest
 from conftest import STRIP, quiet
@@ -380,3 +381,19 @@ class TestLoads:
     def test_a_list_of_values_is_needed(self, case):
         with pytest.raises(TypeError, match="takes a list of values"):
             plastron.sweep(case, {"shell.formulation": "tangent"})
+
+
+LIMIT = 0.04
+
+
+class TestFunctionsInSweeps:
+    def test_a_function_whose_global_has_changed_is_solved_again(self, case, tmp_path, monkeypatch):
+        case["shell.thickness"] = lambda x: LIMIT + 0 * x
+        first = plastron.sweep(case, {"shell.nu": [0.3]}, directory=tmp_path, workers=1)["energy"]
+        monkeypatch.setattr(sys.modules[__name__], "LIMIT", 0.05)
+        second = plastron.sweep(case, {"shell.nu": [0.3]}, directory=tmp_path, workers=1)["energy"]
+        assert first != second
+
+    def test_functions_with_different_arrays_are_different(self):
+        made = [plastron.Function((lambda a: lambda x: a[0] + 0 * x)(a)) for a in (np.zeros(5000), np.ones(5000))]
+        assert made[0] != made[1]
