@@ -3,7 +3,6 @@
     write_stubs.py FOLDER_OF_THE_PACKAGE FILE
 """
 
-import importlib.util
 import keyword
 import pathlib
 import sys
@@ -20,15 +19,6 @@ TYPES = {
 }
 
 
-def declarations(folder):
-    """Loads the module of declarations alone: the package may not be complete yet."""
-    path = next((pathlib.Path(folder) / "plastron").glob("_case.*.so"))
-    spec = importlib.util.spec_from_file_location("_case", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.declarations()
-
-
 def type_of(kind):
     for words, name in TYPES.items():
         if kind.startswith(words):
@@ -42,7 +32,7 @@ def type_of(kind):
     return "Value"
 
 
-def text_of(all_declarations):
+def text_of(all_declarations, class_name):
     lines = [
         '"""The sections of the case file. Written by write_stubs.py from the declarations of the case file."""',
         "from typing import Any, Callable, Dict, Mapping, Sequence, Union",
@@ -55,7 +45,7 @@ def text_of(all_declarations):
     for path, meaning, keys in all_declarations:
         if not path:
             continue
-        name = "".join(word.capitalize() for word in path.replace(".", "_").split("_"))
+        name = class_name(path)
         lines += [f"class {name}(Dict[str, Any]):", f'    """[{path}]: {_plain(meaning)}"""', "    path: str"]
         lines.append("    def __init__(self, *," if keys else "    def __init__(self, **values: Value) -> None: ...")
         for key, kind, unit, default, allowed, text, required in keys:
@@ -75,7 +65,10 @@ def _plain(text):
 
 def main():
     folder, file = sys.argv[1:]
-    pathlib.Path(file).write_text(text_of(declarations(folder)), encoding="utf-8")
+    sys.path.insert(0, folder)
+    from plastron import _case, sections
+
+    pathlib.Path(file).write_text(text_of(_case.declarations(), sections.class_name), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -5,13 +5,8 @@
 #include "terminal.hpp"
 
 #include <plastron/algebra/session.hpp>
-#include <plastron/assembly/load_vector.hpp>
-#include <plastron/assembly/nodal_coordinates.hpp>
-#include <plastron/config/mistakes.hpp>
-#include <plastron/domain/domain.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/results.hpp>
-#include <plastron/obstacle/error.hpp>
 #include <plastron/workflow/read.hpp>
 
 #include <mpi.h>
@@ -26,21 +21,11 @@ namespace {
 /// Runs a command and converts exceptions to a message and an exit code.
 ExitCode guarded(const std::function<ExitCode()>& command) {
   try {
-    return command();
+    ExitCode code = solved;
+    workflow::refusing([&] { code = command(); });
+    return code;
   } catch (const workflow::RefusedCase& refused) {
     if (is_first_rank()) print_text(stderr, refused.what());
-    return bad_input;
-  } catch (const mesh::DomainError& error) {
-    print_error("error: {}\n", error.what());
-    return bad_input;
-  } catch (const assembly::SupportError& error) {
-    print_error("error: {}\n", error.what());
-    return bad_input;
-  } catch (const obstacle::ObstacleError& error) {
-    print_error("error: {}\n", error.what());
-    return bad_input;
-  } catch (const assembly::LoadError& error) {
-    print_error("error: {}\n", error.what());
     return bad_input;
   } catch (const io::UnusableResults& error) {
     if (is_first_rank()) print_text(stderr, fmt::format("error: {}\n", error.what()));

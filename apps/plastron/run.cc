@@ -97,9 +97,15 @@ ExitCode run(const Options& options) {
 
 /// Returns the options of `run` with settings for the modes that the command asks for.
 Options with_modes(Options options) {
-  const config::Case c = read_case(options.case_file, options.settings);
-  const auto settings = workflow::settings_for_modes(c.problem, options.buckling, options.vibration);
-  options.settings.insert(options.settings.end(), settings.begin(), settings.end());
+  const problem::Problem problem = read_case(options.case_file, options.settings).problem;
+  const bool asks_for_none = problem.modes.buckling == 0 && problem.modes.vibration == 0;
+  const auto set = [&](const char* key, int asked, bool is_possible) {
+    if (asked < 0 && !(asks_for_none && is_possible)) return;
+    constexpr int usual = 6;
+    options.settings.push_back(fmt::format("modes.{}={}", key, asked < 0 ? usual : asked));
+  };
+  set("buckling", options.buckling, true);
+  set("vibration", options.vibration, problem.shell.sections.has_mass());
   return options;
 }
 

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 namespace plastron::app {
@@ -73,6 +74,7 @@ struct Member {
   std::vector<std::string> values, settings;
   fs::path folder;
   std::string text_hash{};  ///< of the case with these values
+  bool is_refused = false;  ///< the solver found the case wrong
 };
 
 /// Returns all combinations; the last parameter changes fastest. Throws config::CaseErrors for a combination that cannot be read.
@@ -126,11 +128,11 @@ pid_t start(const Member& member, const SweepOptions& options, const fs::path& p
 }
 
 /// Solves members, `options.jobs` at a time. Returns false after an interruption.
-bool solve_all(const std::vector<const Member*>& members, const SweepOptions& options, const fs::path& program) {
+bool solve_all(const std::vector<Member*>& members, const SweepOptions& options, const fs::path& program) {
   struct sigaction action {};
   action.sa_handler = note_end;
   for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
-  std::map<pid_t, const Member*> running;
+  std::map<pid_t, Member*> running;
   std::size_t next = 0, done = 0;
   while (!running.empty() || (next < members.size() && was_interrupted == 0)) {
     if (next < members.size() && was_interrupted == 0 && running.size() < static_cast<std::size_t>(options.jobs)) {
@@ -143,11 +145,11 @@ bool solve_all(const std::vector<const Member*>& members, const SweepOptions& op
     const pid_t child = waitpid(-1, &state, 0);
     if (child < 0 && errno != EINTR) break;
     if (child < 0) continue;
-    if (!options.quiet) {
-      const Member& member = *running[child];
+    Member& member = *running[child];
+    member.is_refused = WIFEXITED(state) && WEXITSTATUS(state) == bad_input;
+    if (!options.quiet)
       app::print("{:>5} of {}  {}  {}\n", ++done, members.size(), member.folder.string(),
                  fmt::format("{}", fmt::join(member.settings, "  ")));
-    }
     running.erase(child);
   }
   return was_interrupted == 0;
@@ -159,13 +161,14 @@ std::string unquoted(const std::string& value) {
   return is_text ? value.substr(1, value.size() - 2) : value;
 }
 
-/// Returns the table: a line of names, then one line for each member.
-std::string table_of(const std::vector<Member>& members, const std::vector<Parameter>& parameters) {
+/// Returns the table: a line of names, then one line for each member with its results, which are null if there are none.
+std::string table_of(const std::vector<Member>& members, const std::vector<io::Json>& results,
+                     const std::vector<Parameter>& parameters) {
   std::vector<std::string> columns;
   std::vector<std::map<std::string, std::string>> cells;
-  for (const Member& member : members) {
-    const io::Json results = results_of(member);
-    const io::Row row = results.is_null() ? io::Row{{"status", "refused"}} : io::result_row(results);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const char* without = members[i].is_refused ? "refused" : "not_solved";
+    const io::Row row = results[i].is_null() ? io::Row{{"status", without}} : io::result_row(results[i]);
     for (const auto& [name, text] : row)
       if (std::ranges::find(columns, name) == columns.end()) columns.push_back(name);
     cells.emplace_back(row.begin(), row.end());
@@ -186,22 +189,24 @@ std::string table_of(const std::vector<Member>& members, const std::vector<Param
 ExitCode sweep(const SweepOptions& options) {
   const fs::path program = find_program("plastron-solver");
   const auto parameters = parameters_of(options.settings);
-  const std::vector<Member> members = members_of(options, parameters);
+  std::vector<Member> members = members_of(options, parameters);
   std::error_code error;
   fs::create_directories(options.output, error);
   if (error) {
     print_error("error: {} cannot be made: {}\n", options.output.string(), error.message());
     return bad_input;
   }
-  std::vector<const Member*> open;
-  for (const Member& member : members)
+  std::vector<Member*> open;
+  for (Member& member : members)
     if (results_of(member).is_null()) open.push_back(&member);
   if (!options.quiet && open.size() < members.size())
     print("{} of {} cases are solved already\n", members.size() - open.size(), members.size());
   const bool is_complete = solve_all(open, options, program);
   const fs::path table = options.table.empty() ? options.output / "table.csv" : options.table;
+  std::vector<io::Json> results;
+  std::ranges::transform(members, std::back_inserter(results), results_of);
   std::ofstream stream(table, std::ios::binary);
-  stream << table_of(members, parameters);
+  stream << table_of(members, results, parameters);
   if (!stream.flush()) {
     print_error("error: {} cannot be written\n", table.string());
     return bad_input;
@@ -211,11 +216,8 @@ ExitCode sweep(const SweepOptions& options) {
     print_error("interrupted: the same command goes on with the cases that are not solved\n");
     return not_converged;
   }
-  const auto is_solved = [](const Member& member) {
-    const io::Json results = results_of(member);
-    return !results.is_null() && results.value("status", "") == "solved";
-  };
-  return std::ranges::all_of(members, is_solved) ? solved : not_converged;
+  const auto is_solved = [](const io::Json& one) { return !one.is_null() && one.value("status", "") == "solved"; };
+  return std::ranges::all_of(results, is_solved) ? solved : not_converged;
 }
 
 }  // namespace plastron::app

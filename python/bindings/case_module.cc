@@ -7,7 +7,6 @@
 #include <plastron/config/schema.hpp>
 #include <plastron/io/flat_row.hpp>
 #include <plastron/io/results.hpp>
-#include <plastron/io/results_schema.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +34,7 @@ py::tuple read(const std::string& text, const std::string& file_name, const std:
   }
 }
 
-/// Raises CaseError for a file that is no case.
+/// Raises CaseError if the file is not a case.
 void check_file(const std::string& path, const std::vector<std::string>& settings) {
   try {
     config::read_case(path, settings);
@@ -73,7 +72,5 @@ PYBIND11_MODULE(_case, module) {
   module.def("declarations", &python::declarations);
   module.def("result_row", [](const std::string& results) { return io::result_row(io::Json::parse(results)); });
   module.def("csv_cell", &io::csv_cell);
-  module.def("case_schema", [] { return config::case_schema().dump(); });
-  module.def("results_schema", [] { return io::results_schema().dump(); });
   module.attr("version") = std::string(io::version);
 }

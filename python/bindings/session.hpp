@@ -4,8 +4,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <functional>
-
 namespace plastron::python {
 
 namespace py = pybind11;
@@ -13,10 +11,10 @@ namespace py = pybind11;
 /// Starts the session if it does not run yet. `threads` counts only then.
 void start_session(int threads);
 
-/// Ends the session. Objects that release_at_end() keeps are released before.
+/// Releases all Releasable objects and ends the session.
 void end_session();
 
-/// What must be released before MPI ends. It counts from construction to destruction.
+/// An object that end_session() releases, because it cannot outlive MPI.
 class Releasable {
  public:
   Releasable();

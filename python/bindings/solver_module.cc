@@ -5,10 +5,7 @@
 #include "solved.hpp"
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/assembly/load_vector.hpp>
-#include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/io/quantities.hpp>
-#include <plastron/obstacle/error.hpp>
 #include <plastron/workflow/output_directory.hpp>
 #include <plastron/workflow/read.hpp>
 #include <plastron/workflow/solve.hpp>
@@ -19,6 +16,7 @@
 
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,30 +57,21 @@ template <class Work>
 auto computing(Work&& work) {
   thread_local bool is_computing = false;
   if (is_computing) throw std::runtime_error("a function that a computation calls cannot start another computation");
-  const auto refuse = [](const std::string& text) { raise("CaseError", text); };
+  using Value = decltype(work());
   try {
     const py::gil_scoped_release release;
     const std::lock_guard lock(one_at_a_time());
     const Flag flag(is_computing);
-    return work();
+    std::optional<Value> value;
+    workflow::refusing([&] { value.emplace(work()); });
+    return std::move(*value);
   } catch (const workflow::RefusedCase& error) {
-    refuse(error.what());
-  } catch (const mesh::DomainError& error) {
-    refuse(std::string("error: ") + error.what() + "\n");
-  } catch (const assembly::SupportError& error) {
-    refuse(std::string("error: ") + error.what() + "\n");
-  } catch (const obstacle::ObstacleError& error) {
-    refuse(std::string("error: ") + error.what() + "\n");
-  } catch (const assembly::LoadError& error) {
-    refuse(std::string("error: ") + error.what() + "\n");
-  } catch (const geometry::FunctionError& error) {
-    refuse(std::string("error: ") + error.what() + "\n");
+    raise("CaseError", error.what());
   } catch (const io::UnusableResults& error) {
     raise("ResultsError", error.what());
   } catch (const io::WriteError& error) {
     raise("OutputError", error.what());
   }
-  throw std::logic_error("an error was not raised");
 }
 
 /// The findings as (severity, text), with the names of the case's units.
@@ -243,9 +232,8 @@ py::dict verify(const std::string& directory, const std::string& files, const py
 /// Returns the solution of written results, after their verification, and the judgement.
 py::tuple load(const std::string& directory, const std::string& files, const py::object& comm) {
   const MPI_Comm all = communicator(comm);
-  workflow::Judgement judgement = computing([&] { return workflow::verify(directory, files, all); });
+  workflow::Judgement judgement = computing([&] { return workflow::verify(directory, files, all, true); });
   py::dict verdict = verdict_of(judgement);
-  if (!judgement.read_case) return py::make_tuple(py::none(), verdict);
   return py::make_tuple(std::make_unique<Solved>(std::move(*judgement.read_case),
                                                  std::move(judgement.recomputed.result), std::nullopt, nullptr),
                         verdict);

@@ -1,4 +1,4 @@
-"""Cases: what is to be computed."""
+"""Cases."""
 
 from __future__ import annotations
 
@@ -121,10 +121,14 @@ class Case:
         return json.loads(json.dumps(value))  # a copy: changes in it would not be part of the case
 
     def __setitem__(self, key: str, value: Any) -> None:
-        others = [s for s in self._settings if s.split("=", 1)[0].strip() != key]
+        self.update({key: value})
+
+    def update(self, settings: Mapping[str, Any]) -> None:
+        """Replaces several values at once: key -> value. They need to fit together only afterwards."""
         functions = dict(self._functions)
-        setting = f"{key}={toml_text.value(value, functions)}"
-        self._set(self._given, self._file_name, others + [setting], functions)
+        added = [f"{key}={toml_text.value(value, functions)}" for key, value in settings.items()]
+        kept = [s for s in self._settings if s.split("=", 1)[0].strip() not in settings]
+        self._set(self._given, self._file_name, kept + added, functions)
 
     def __contains__(self, key: str) -> bool:
         try:
@@ -136,8 +140,7 @@ class Case:
     def with_settings(self, settings: Mapping[str, Any]) -> Case:
         """Returns a copy with the values of a dictionary: key -> value."""
         copy = self.copy()
-        for key, value in settings.items():
-            copy[key] = value
+        copy.update(settings)
         return copy
 
     def copy(self) -> Case:
@@ -165,9 +168,9 @@ class Case:
 
     def solve(self, **options: Any) -> Result:
         """Solves the case; the options are those of plastron.solve()."""
-        from .solving import solve_with_warnings
+        from .solving import solve
 
-        return solve_with_warnings(self, **options)
+        return solve(self, **options)
 
     def _native(self) -> Any:
         from . import _solver

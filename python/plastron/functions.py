@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import sys
 import uuid
+import weakref
 from typing import Any, Callable, Iterable
 
 import numpy as np
@@ -75,8 +76,8 @@ def _difference_of(terms: dict[Any, float], axis: int) -> dict[Any, float]:
 class Function:
     """A function of Python in a case: ``case["shell.thickness"] = Function(lambda x, y: 0.01 + 0.002 * np.cos(x))``.
 
-    f: takes arrays and returns an array, or a number that holds everywhere. The names of its arguments say of what it is a
-        function: x, y (parameters of the domain), X, Y, Z (places in space), in any order.
+    f: takes arrays and returns an array, or one number for all places. Its arguments are some of x, y (parameters of the
+        domain), X, Y, Z (places in space), in any order.
     gradient: a function with the same arguments that returns the list of the first derivatives, in the order of the
         arguments. Needed by charts, heights and distances only. Without it they come from the complex step
         f(x + i h) / h, which has no rounding but needs a function that takes complex numbers (no abs, max, comparison);
@@ -84,8 +85,9 @@ class Function:
     second: likewise the second derivatives: xx, xy, yy or XX, XY, XZ, YY, YZ, ZZ, those of the arguments that there are.
         Without it differences of order 6 of the first derivatives are taken; their error is about (step / scale)^6 of the
         function, plus rounding.
-    step: step of these differences; default 1e-3 of the largest coordinate in a call, at least 1e-3 of ``scale``.
-    scale: a length over which the function changes much [the unit of its arguments]; default 1.
+    scale: a length over which the function changes much [the unit of its arguments]; default: the range of the places at which
+        it was called so far. Give it for a shell that is small and far from the origin.
+    step: step of these differences; default 1e-3 ``scale``.
 
     A plain function is taken as Function(f). Files of such a case name the function but do not contain it, so that
     ``plastron verify`` cannot read them; Result.verify() in the same process can.
@@ -97,12 +99,14 @@ class Function:
         gradient: Callable[..., Any] | None = None,
         second: Callable[..., Any] | None = None,
         step: float | None = None,
-        scale: float = 1.0,
+        scale: float | None = None,
     ) -> None:
         self.f, self.gradient, self.second, self.step, self.scale = f, gradient, second, step, scale
         self.arguments = _arguments(f)
         self._takes_complex: bool | None = None
+        self._lowest, self._highest = np.full(len(_NAMES), np.inf), np.full(len(_NAMES), -np.inf)
         self._stencils: dict[Any, _Stencil] = {}
+        self._known_to: set[str] = set()
         self.name = f"python_{_identifier(f)}_{uuid.uuid4().hex}"  # no two functions may be taken for one
 
     def __call__(self, *arguments: Any) -> Any:
@@ -112,6 +116,8 @@ class Function:
         """Returns the derivatives first, ..., first + count - 1 at places, as the library numbers them."""
         if first == 0 and count == 1:
             return self._values(self.f, places)
+        self._lowest = np.minimum(self._lowest, places.min(axis=0))
+        self._highest = np.maximum(self._highest, places.max(axis=0))
         if self.gradient is not None:
             return np.array([self._with_gradient(places, number) for number in range(first, first + count)])
         return self._by_stencil(places, range(first, first + count))
@@ -127,16 +133,27 @@ class Function:
     def _by_stencil(self, places: Any, numbers: Iterable[int]) -> Any:
         """Values and derivatives from one call of f, at all places of a stencil."""
         stencil = self._stencil(tuple(numbers), self._is_analytic(places))
-        step = self.step or 1e-3 * max(self.scale, float(np.max(np.abs(places[:, self.arguments]), initial=0)))
+        scale = self._length()
+        step = self.step or 1e-3 * scale
         moved = (places[None, :, :] + stencil.offsets[:, None, :] * step).reshape(-1, len(_NAMES))
         if stencil.directions is None:
             values = self._values(self.f, moved).reshape(len(stencil.offsets), -1)
             return (stencil.weights @ values) / step ** stencil.orders[:, None]
-        h = 1e-30 * self.scale
+        h = 1e-30 * scale
         moved = moved + 1j * h * np.repeat(stencil.directions, len(places), axis=0)
         values = self._values(self.f, moved, complex).reshape(len(stencil.offsets), -1)
         sums = np.where(stencil.is_value[:, None], stencil.weights @ values.real, stencil.weights @ (values.imag / h))
         return sums / step ** stencil.orders[:, None]
+
+    def _length(self) -> float:
+        """The scale: as given, or the range of the places so far, or the distance of a single place from the origin."""
+        if self.scale is not None:
+            return self.scale
+        low, high = self._lowest[self.arguments], self._highest[self.arguments]
+        length = float(np.max(high - low)) or float(np.max(np.abs(high)))
+        if length == 0:
+            raise ValueError("differences at the origin alone need a scale: Function(f, scale=...)")
+        return length
 
     def _stencil(self, numbers: tuple[int, ...], is_complex: bool) -> _Stencil:
         known = self._stencils.get((numbers, is_complex))
@@ -159,6 +176,7 @@ class Function:
             return self._values(_entry(self.second, pairs.index((axes[0], axes[1]))), places)
         component = Function(self.f, step=self.step, scale=self.scale)
         component.f = _entry(self.gradient, first)
+        component._lowest, component._highest = self._lowest, self._highest
         return component._by_stencil(places, [_number_of(self.arguments, axes[1])])[0]
 
     def _is_analytic(self, places: Any) -> bool:
@@ -175,13 +193,22 @@ class Function:
             self._takes_complex = False
             if exact is not None:
                 values, differences = self._values(self.f, places), self._by_stencil(places, first)
-                size = np.max(np.abs(differences)) + np.max(np.abs(values)) / self.scale
+                size = np.max(np.abs(differences)) + np.max(np.abs(values)) / self._length()
                 self._takes_complex = bool(np.all(np.abs(exact - differences) <= 1e-5 * size))
         return self._takes_complex
 
     def _give(self, module: Any) -> None:
+        """Makes the function known to a module as long as it lives."""
+        if module.__name__ in self._known_to:
+            return
+        self._known_to.add(module.__name__)
+        function = weakref.ref(self)
         depends = [k in self.arguments for k in range(len(_NAMES))]
-        module.give_function(self.name, depends, self.evaluate)
+        module.give_function(self.name, depends, lambda *arguments: function().evaluate(*arguments))  # type: ignore[union-attr]
+        weakref.finalize(self, module.forget_function, self.name)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_known_to": set()}  # another process has modules of its own
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Function) and self.name == other.name

@@ -10,7 +10,8 @@ import keyword
 from . import _case
 
 
-def _class_name(path):
+def class_name(path):
+    """Returns the name of the class of a section: obstacle.ball -> ObstacleBall."""
     return "".join(word.capitalize() for word in path.replace(".", "_").split("_"))
 
 
@@ -32,12 +33,12 @@ def _make(path, meaning, keys):
         [inspect.Parameter("self", inspect.Parameter.POSITIONAL_OR_KEYWORD)]
         + [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in usable]
     )
-    name = _class_name(path)
+    name = class_name(path)
     return type(name, (dict,), {"__init__": __init__, "__doc__": "\n".join(lines), "__module__": __name__, "path": path})
 
 
 for _path, _meaning, _keys in _case.declarations():
     if _path:
-        globals()[_class_name(_path)] = _make(_path, _meaning, _keys)
+        globals()[class_name(_path)] = _make(_path, _meaning, _keys)
 
 __all__ = sorted(name for name in globals() if name[0].isupper())

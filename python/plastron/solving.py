@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import pathlib
+import shutil
+import sys
 import tempfile
 import warnings
 from typing import Any, Callable
@@ -25,6 +27,7 @@ def solve(
     on_instant: Callable[[Record], Any] | None = None,
     comm: Any = "world",
     threads: int = 0,
+    warn: bool = True,
 ) -> Result:
     """Solves a case and returns its Result.
 
@@ -35,38 +38,12 @@ def solve(
         records have the entries of levels[], levels[].history[] and history[] of results.json. An exception ends it.
     comm: "world", "self", or a communicator of mpi4py. The function is collective on it.
     threads: largest number of threads; 0: by the amount of work. It counts only before the first computation.
+    warn: whether warnings about the result are told as PlastronWarning. ``result.warnings`` has them in any case.
 
     Ctrl-C ends the computation after the present step: the result is that of the last finished mesh, with the status
-    "interrupted". Warnings are PlastronWarning. Raises CaseError for a case that cannot be solved, OutputError where files
+    "interrupted". Raises CaseError for a case that cannot be solved, OutputError where files
     cannot be written, and KeyboardInterrupt where no mesh was finished.
     """
-    return solve_with_warnings(
-        case,
-        output=output,
-        report=report,
-        progress=progress,
-        on_mesh=on_mesh,
-        on_iteration=on_iteration,
-        on_instant=on_instant,
-        comm=comm,
-        threads=threads,
-    )
-
-
-def solve_with_warnings(
-    case: Case,
-    *,
-    output: Path | None = None,
-    report: bool = True,
-    progress: bool = False,
-    on_mesh: Callable[[int, Record], Any] | None = None,
-    on_iteration: Callable[[int, Record], Any] | None = None,
-    on_instant: Callable[[Record], Any] | None = None,
-    comm: Any = "world",
-    threads: int = 0,
-    tells_warnings: bool = True,
-) -> Result:
-    """solve(), with or without PlastronWarning."""
     from . import _solver
 
     if not isinstance(case, Case):
@@ -76,17 +53,17 @@ def solve_with_warnings(
     bar = Progress() if progress and is_first else None
     told: set[str] = set()
 
-    def warn(text: str) -> None:
+    def tell(text: str) -> None:
         told.add(text)
-        if tells_warnings and is_first:
-            warnings.warn(text, PlastronWarning, stacklevel=4)
+        if warn and is_first:
+            warnings.warn(text, PlastronWarning, stacklevel=_level_of_caller())
 
     followers = _solver.Followers(
         bar.phase if bar else None,
         _both(bar and bar.iteration, _with_record(on_iteration)),
         _both(bar and bar.mesh, _with_record(on_mesh)),
         _both(bar and bar.instant, _with_record(on_instant)),
-        warn,
+        tell,
     )
     directory = pathlib.Path(output) if output is not None else pathlib.Path(tempfile.mkdtemp(prefix="plastron-"))
     try:
@@ -97,34 +74,45 @@ def solve_with_warnings(
             raise KeyboardInterrupt
     except BaseException:
         if output is None:
-            _remove(directory)
+            shutil.rmtree(directory, ignore_errors=True)
         raise
     finally:
         if bar:
             bar.close()
     if pathlib.Path(shared) != directory:
-        _remove(directory)  # the files are in the folder of the first rank
+        shutil.rmtree(directory, ignore_errors=True)  # the files are in the folder of the first rank
     directory = pathlib.Path(shared)
     data = _read_results(directory) if output is not None else json.loads(native.results_json())
     for text in data.get("warnings", []):
         if text not in told:
-            warn(text)
+            tell(text)
     if native.status != "solved":
-        warn(f"{native.status}: {native.status_text}")
+        tell(f"{native.status}: {native.status_text}")
     return Result(native, case, data, directory, output is None, comm)
 
 
 def load(directory: Path, files: Path | None = None, comm: Any = "world") -> Result:
     """Loads written results. Their numbers are those of results.json. The solution is read, and verified on the way: a failure
-    is a PlastronWarning. ``files``: folder of the files that the case names, if they have moved."""
+    is a PlastronWarning. The cells may be in another order. Results of an interrupted run may have no solution that can be read: they have numbers only.
+    ``files``: folder of the files that the case names, if they have moved."""
     from . import _solver
 
     folder = pathlib.Path(directory)
     data = _read_results(folder)
-    native, verdict = _solver.load(str(folder), str(files or ""), comm)
-    for text in verdict["failures"]:
+    native, failures = None, []
+    try:
+        native, verdict = _solver.load(str(folder), str(files or ""), comm)
+        failures = verdict["failures"]
+    except ResultsError as error:
+        if data.get("status") == "solved":
+            raise
+        failures = [str(error)]
+    for text in failures:
         warnings.warn(f"{folder}: {text}", PlastronWarning, stacklevel=2)
-    case = Case.from_text((folder / data["verification"]["case"]["copy"]).read_text(), folder / "solution.case.toml")
+    stored = data["verification"]["case"]
+    origin = pathlib.Path(stored["path"])
+    text = (folder / stored["copy"]).read_text(encoding="utf-8")
+    case = Case.from_text(text, pathlib.Path(files or origin.parent) / origin.name)
     return Result(native, case, data, folder, False, comm)
 
 
@@ -168,6 +156,14 @@ def _read_results(folder: pathlib.Path) -> dict[str, Any]:
         raise ResultsError(f"{folder / 'results.json'} is no JSON: {error}") from None
 
 
+def _level_of_caller() -> int:
+    """Returns the stack level of the line outside of this package, for a function that warns."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("plastron."):
+        level, frame = level + 1, frame.f_back
+    return level
+
+
 def _with_record(function: Callable[..., Any] | None) -> Any:
     """Returns a function whose last argument is the text of a record; None for none."""
     if function is None:
@@ -190,9 +186,3 @@ def _both(first: Any, second: Any) -> Any:
             function(*arguments)
 
     return call
-
-
-def _remove(directory: pathlib.Path) -> None:
-    import shutil
-
-    shutil.rmtree(directory, ignore_errors=True)

@@ -123,10 +123,7 @@ def combine(
     Returns a Table with the column ``combination``; the other options are those of sweep()."""
     members = []
     for name, factors in combinations.items():
-        member = case.copy()
-        for key, value in load_settings(case, factors).items():
-            member[key] = value
-        members.append(({"combination": name}, member))
+        members.append(({"combination": name}, case.with_settings(load_settings(case, factors))))
     return _solve_members(members, ["combination"], executor, workers, directory, report, progress)
 
 
@@ -259,12 +256,12 @@ def _solve_members(
 
 def _solve_one(state: Any, folder: str | None, report: bool) -> tuple[dict[str, str] | None, str | None]:
     """Solves a case in a process of an executor: returns (row, None), or (None, error)."""
-    from .solving import solve_with_warnings
+    from .solving import solve
 
     case = Case.__new__(Case)
     try:
         case.__setstate__(state)
-        result = solve_with_warnings(case, output=folder, report=report, comm="self", threads=1, tells_warnings=False)
+        result = solve(case, output=folder, report=report, comm="self", threads=1, warn=False)
         if result.status == "interrupted":
             raise KeyboardInterrupt
         return _row(result._data), None
@@ -277,7 +274,7 @@ def _row(results: dict[str, Any]) -> dict[str, str]:
 
 
 def _results_in(folder: str | None, case: Case) -> dict[str, Any] | None:
-    """Returns the results of the same case in a folder; None if there are none."""
+    """Returns the results of the same case in a folder, or None."""
     if folder is None or case._functions:  # what a function computes cannot be told from its text
         return None
     try:

@@ -353,3 +353,14 @@ class TestToml:
             sections = tomllib.loads(file.read_text(encoding="utf-8"))
             assert tomllib.loads(toml_text.document(sections)) == sections
             assert plastron.Case.from_dict(sections, file.parent).to_dict() == plastron.Case.read(file).to_dict()
+
+
+def test_values_that_fit_only_together_are_replaced_at_once(strip_file):
+    case = plastron.Case.read(strip_file)
+    case["mesh.degree"] = 4
+    with pytest.raises(plastron.CaseError):
+        case["mesh.cells"] = "triangle"
+    changed = case.with_settings({"mesh.cells": "triangle", "mesh.degree": 2})
+    assert (changed["mesh.cells"], changed["mesh.degree"]) == ("triangle", 2)
+    case.update({"mesh.cells": "triangle", "mesh.degree": 2})
+    assert case["mesh.degree"] == 2

@@ -1,5 +1,6 @@
 """Functions of Python in cases, compared with expressions that say the same."""
 
+import gc
 import conftest
 import numpy as np
 import plastron
@@ -162,3 +163,35 @@ class TestFiles:
         table = plastron.sweep(case, {"shell.thickness": [linear(0.005), linear(0.01)]}, workers=1)
         expected = [energy(case.with_settings({"shell.thickness": f"0.04 + {slope}*x"})) for slope in (0.005, 0.01)]
         assert table["energy"] == pytest.approx(expected, rel=1e-12, abs=0)
+
+
+@pytest.mark.parametrize("length", [1e-6, 1e6])
+def test_derivatives_fit_to_any_unit_of_length(length):
+    places = np.zeros((16, 5))
+    places[:, 0], places[:, 1] = np.linspace(-0.5, 0.5, 16) * length, 0.1 * length
+    x, y = places[:, 0] / length, places[:, 1] / length
+    bowl = plastron.Function(lambda x, y: length * (1 - np.sqrt(1 - (x / length) ** 2 - (y / length) ** 2)))
+    root = np.sqrt(1 - x**2 - y**2)
+    found = bowl.evaluate(places, 0, 6)
+    assert found[1] == pytest.approx(x / root, rel=1e-12, abs=1e-14)
+    assert found[3] * length == pytest.approx((1 - y**2) / root**3, rel=1e-9)
+    assert found[4] * length == pytest.approx(x * y / root**3, rel=1e-9, abs=1e-11)
+
+
+def test_differences_at_the_origin_alone_need_a_scale():
+    origin = np.zeros((1, 5))
+    with pytest.raises(ValueError, match="need a scale"):
+        plastron.Function(lambda x: abs(x) ** 3).evaluate(origin, 0, 3)
+    assert plastron.Function(lambda x: x**2, scale=2.0).evaluate(origin, 3, 1)[0] == pytest.approx(2, rel=1e-9)
+
+
+def test_a_function_is_forgotten_with_its_last_owner(strip_file):
+    function = plastron.Function(lambda x: 0.04 + 0 * x)
+    case = plastron.Case.read(strip_file)
+    case["shell.thickness"] = function
+    text = case.text
+    plastron.Case.from_text(text)  # its name is known
+    del case, function
+    gc.collect()
+    with pytest.raises(plastron.CaseError, match="unknown name"):
+        plastron.Case.from_text(text)

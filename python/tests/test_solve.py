@@ -1,6 +1,7 @@
 """Solving: numbers, statuses, callbacks, interruption, fields, values at points, files."""
 
 import json
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,7 +16,7 @@ import pandas
 import plastron
 import pytest
 from conftest import STEPS, STRIP, quiet
-from program import environment, plastron as command, python
+from program import SOURCE, environment, plastron as command, python
 
 LONG = STRIP.replace("refinements = 1", "refinements = 5").replace("degree = 2", "degree = 3")
 
@@ -212,7 +213,7 @@ class TestCallbacks:
                 plastron.solve(case)
 
     def test_a_callback_may_not_start_another_computation(self, tmp_path):
-        """Whatever the answer is, the process must not wait for ever."""
+        """The process must end, with any answer."""
         answer = python(
             f"""
 import plastron, warnings
@@ -655,3 +656,25 @@ print(*(library in maps for library in libraries))
 
     def test_the_version_is_that_of_the_program(self, tmp_path):
         assert command("--version", directory=tmp_path).stdout.strip().endswith(plastron.__version__)
+
+
+def test_results_on_a_mesh_from_a_file_are_loaded_again(tmp_path):
+    shutil.copy(SOURCE / "tests/verification/meshes/distorted-square.msh", tmp_path / "square.msh")
+    rectangle = "{ rectangle = { from = [0, 0], to = [1, 0.5], cells = [4, 2] } }"
+    assert rectangle in STRIP
+    text = STRIP.replace(rectangle, '{ mesh = "square.msh" }')
+    result = quiet(plastron.Case.from_text(text, tmp_path / "case.toml").solve, output=tmp_path / "out")
+    loaded = plastron.load(tmp_path / "out")
+    assert loaded.energy == result.energy
+    assert loaded.case.files == {"square.msh": str(tmp_path / "square.msh")}
+
+
+def test_results_that_miss_a_limit_are_loaded_with_their_fields(tmp_path):
+    plane = "half_space = { point = [0, 0, 0], normal = [0, 0, 1] }"
+    assert plane in STRIP
+    pin = "ball = { centre = [0.83, 0.27, 0.02], radius = 0.004 }"  # between the nodes, and inside of the face
+    result = quiet(plastron.Case.from_text(STRIP.replace(plane, pin)).solve, output=tmp_path)
+    assert result.status == "inaccurate"
+    with pytest.warns(plastron.PlastronWarning, match='the status of these results is "inaccurate"'):
+        loaded = plastron.load(tmp_path)
+    assert np.array_equal(loaded.fields["u"], result.fields["u"])

@@ -1,9 +1,16 @@
 #include <plastron/workflow/read.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/assembly/load_vector.hpp>
+#include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/config/printable.hpp>
 #include <plastron/domain/domain_mesh.hpp>
+#include <plastron/geometry/given_function.hpp>
 #include <plastron/obstacle/error.hpp>
 
+#include <fmt/format.h>
+
+#include <exception>
 #include <utility>
 
 namespace plastron::workflow {
@@ -38,6 +45,25 @@ bool is_first_rank(MPI_Comm comm) {
 }
 
 }  // namespace
+
+void refusing(const std::function<void()>& work) {
+  const auto refuse = [](const std::exception& error) {
+    throw RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
+  };
+  try {
+    work();
+  } catch (const mesh::DomainError& error) {
+    refuse(error);
+  } catch (const assembly::SupportError& error) {
+    refuse(error);
+  } catch (const obstacle::ObstacleError& error) {
+    refuse(error);
+  } catch (const assembly::LoadError& error) {
+    refuse(error);
+  } catch (const geometry::FunctionError& error) {
+    refuse(error);
+  }
+}
 
 config::Case read_together(const std::function<config::Case()>& read, MPI_Comm comm) {
   config::Case c = algebra::in_agreement<RefusedCase>(comm, [&] {

@@ -20,6 +20,10 @@ struct RefusedCase : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Does `work`. Errors that the solution finds in the case become RefusedCase: in the mesh, the supports, the obstacles, the
+/// loads, or in a function that the program gives.
+void refusing(const std::function<void()>& work);
+
 /// Returns the case that `read` returns. Each process reads the case file by itself, and the first one reads mesh files. If
 /// one fails, all throw RefusedCase (collective).
 config::Case read_together(const std::function<config::Case()>& read, MPI_Comm comm);

@@ -34,17 +34,4 @@ std::string refusal(const computation::Result& result) {
   return where + std::string(contact::explain(result.status));
 }
 
-std::vector<std::string> settings_for_modes(const problem::Problem& problem, int buckling, int vibration) {
-  const bool asks_for_none = problem.modes.buckling == 0 && problem.modes.vibration == 0;
-  std::vector<std::string> settings;
-  const auto set = [&](const char* key, int asked, bool is_possible) {
-    if (asked < 0 && !(asks_for_none && is_possible)) return;
-    constexpr int usual = 6;
-    settings.push_back(fmt::format("modes.{}={}", key, asked < 0 ? usual : asked));
-  };
-  set("buckling", buckling, true);
-  set("vibration", vibration, problem.shell.sections.has_mass());
-  return settings;
-}
-
 }  // namespace plastron::workflow

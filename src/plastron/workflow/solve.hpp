@@ -26,8 +26,4 @@ bool is_refused(contact::Status status);
 /// Returns where and why the case is wrong. Precondition: is_refused(result.status).
 std::string refusal(const computation::Result& result);
 
-/// Returns a settings text for `modes` that asks for the usual number of modes if the case asks for none; numbers that
-/// are not negative replace the case's.
-std::vector<std::string> settings_for_modes(const problem::Problem& problem, int buckling, int vibration);
-
 }  // namespace plastron::workflow

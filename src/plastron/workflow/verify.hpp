@@ -14,18 +14,20 @@
 
 namespace plastron::workflow {
 
-/// What was recomputed, beside what results.json claims.
+/// Recomputed numbers of written results, and the numbers that results.json claims.
 struct Judgement {
   io::Json claimed{};                       ///< results.json
-  std::optional<config::Case> read_case{};  ///< the copy of the case; absent if the status is not "solved"
+  std::optional<config::Case> read_case{};  ///< the copy of the case; absent if nothing was read
   computation::Verification recomputed{};   ///< rows with limits, and the solution
   std::vector<io::Comparison> numbers{};    ///< numbers that follow from the solution
   io::StoredChecksums files{};              ///< files with stored checksums
   std::vector<std::string> failures{};      ///< in words; empty: passed
 };
 
-/// Verifies the results in `directory`. `files`: folder of the files that the case names; empty: where the case was run. Throws
-/// io::UnusableResults, RefusedCase, and the errors of computation::verify() (collective).
-Judgement verify(const std::filesystem::path& directory, const std::filesystem::path& files, MPI_Comm comm);
+/// Verifies the results in `directory`. `files`: folder of the files that the case names; empty: where the case was run.
+/// Another status than "solved" is a failure, and the only one unless `reads_unsolved`: the solution is then read all the
+/// same. Throws io::UnusableResults, RefusedCase, and the errors of computation::verify() (collective).
+Judgement verify(const std::filesystem::path& directory, const std::filesystem::path& files, MPI_Comm comm,
+                 bool reads_unsolved = false);
 
 }  // namespace plastron::workflow
