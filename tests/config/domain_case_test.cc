@@ -100,5 +100,40 @@ TEST(DomainNames, AreThoseOfTheManual) {
   EXPECT_TRUE(domain::region_names(domain::MeshFile{}).empty());
 }
 
+problem::Problem with_imperfections(const std::string& geometry, const std::string& imperfections) {
+  return parse_case("[constants]\nA = 0.25\n[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\n" + geometry + "\n" +
+                        imperfections,
+                    PLASTRON_TESTS_DIR "/config/case.toml")
+      .problem;
+}
+
+TEST(ImperfectionsOfTheCase, InParametersArePartsOfTheChart) {
+  const problem::Problem p =
+      with_imperfections("domain = { rectangle = { to = [2, 1] } }\nchart = [\"x\", \"y\", 0]",
+                         "[[imperfection]]\nnormal = \"A*x^2\"\n[[imperfection]]\ndisplacement = [0, \"x*y\", 3]\n");
+  EXPECT_TRUE(p.imperfections.empty());
+  const geometry::SurfaceJet jet = p.charts.at("")(2, 1);
+  EXPECT_EQ(jet.value, geometry::Vector3d(2, 3, 4));
+  EXPECT_EQ(jet.d[0], geometry::Vector3d(1, 1, 1));
+  EXPECT_EQ(jet.dd[0], geometry::Vector3d(0, 0, 0.5));
+}
+
+TEST(ImperfectionsOfTheCase, OfAMeshInSpaceAreFunctionsOfThePlace) {
+  const problem::Problem p =
+      with_imperfections("file = \"../../cases/tank-in-cradle/tank.msh\"",
+                         "[[imperfection]]\nnormal = \"A*X*Y\"\n[[imperfection]]\ndisplacement = [0, \"Z\", 3]\n");
+  ASSERT_EQ(p.imperfections.size(), 2U);
+  EXPECT_EQ(p.imperfections[0].normal->value({2, 3, 0}), 1.5);
+  EXPECT_EQ(p.imperfections[1].displacement[1]->value({0, 0, 7}), 7);
+}
+
+TEST(ImperfectionsOfTheCase, HaveTheShapeOfAModeInAFile) {
+  const problem::Problem p = with_imperfections("domain = { rectangle = { to = [2, 1] } }\nchart = [\"x\", \"y\", 0]",
+                                                "[[imperfection]]\nmode = \"CMakeLists.txt\"\namplitude = \"-A/10\"\n");
+  ASSERT_EQ(p.imperfections.size(), 1U);
+  EXPECT_EQ(p.imperfections[0].mode_file, PLASTRON_TESTS_DIR "/config/CMakeLists.txt");
+  EXPECT_EQ(p.imperfections[0].amplitude, -0.025);
+}
+
 }  // namespace
 }  // namespace plastron::config

@@ -163,9 +163,9 @@ TEST_P(AStraightEdge, HasTheIntegralOfTheDualsReactionTimesGapAsShare) {
 }
 
 TEST_P(AStraightEdge, HasTheSameSumOfSharesWithMoreCellsAlongIt) {
-  const auto [degree, is_turned] = GetParam();
+  const Plate& given = GetParam();
   const auto sum = [&](int rows) {
-    const SolvedShell plate = lying_plate(degree, rows, is_turned);
+    const SolvedShell plate = lying_plate(given.degree, rows, given.is_turned);
     const Solved solved = plate.solved();
     const EdgeShares shares = ContactEdge(solved).shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
     return std::accumulate(shares.all.begin(), shares.all.end(), 0.0);

@@ -53,6 +53,28 @@ TEST(Chart, derivatives_of_every_function_agree_with_finite_differences) {
   }
 }
 
+TEST(Chart, displaced_along_the_normal_of_a_cylinder_has_another_radius) {
+  const Constants c{{"R", 2}};
+  const Chart by_hand({"(R + 0.1*sin(3*x)*y)*cos(x)", "(R + 0.1*sin(3*x)*y)*sin(x)", "y"}, c);
+  const Chart displaced({"R*cos(x)", "R*sin(x)", "y"}, c,
+                        {{.normal = "0.04*sin(3*x)*y"}, {.normal = "0.06*sin(3*x)*y"}});
+  for (const Vector2d& x : sample_points()) EXPECT_LT(distance(displaced(x[0], x[1]), by_hand(x[0], x[1])), 1e-12) << x;
+}
+
+TEST(Chart, displaced_along_the_normal_of_a_sphere_has_another_radius) {
+  const Constants c{{"R", 3}};
+  const std::array<std::string, 3> sphere{"x", "y", "sqrt(R^2 - x^2 - y^2)"};
+  const Chart displaced(sphere, c, {{.cartesian = {"0", "0", "x*y"}, .normal = "0.3 + 0.1*cos(x)"}});
+  const std::string ratio = "(1 + (0.3 + 0.1*cos(x))/R)";
+  const Chart by_hand({"x*" + ratio, "y*" + ratio, "x*y + sqrt(R^2 - x^2 - y^2)*" + ratio}, c);
+  for (const Vector2d& x : sample_points()) EXPECT_LT(distance(displaced(x[0], x[1]), by_hand(x[0], x[1])), 1e-11) << x;
+}
+
+TEST(Chart, is_not_displaced_by_what_has_no_derivatives) {
+  EXPECT_THROW(Chart({"x", "y", "0"}, {}, {{.normal = "x > 0 ? 1 : 0"}}), NotDifferentiable);
+  EXPECT_THROW(Chart({"x", "y", "0"}, {}, {{.cartesian = {"0", "0", "X"}}}), NotDifferentiable);
+}
+
 TEST(Chart, values_are_those_of_the_plain_expression) {
   const Constants c{{"R", 2}, {"minus", -1.5}, {"_k", 0.25}, {"c", 0}};
   for (const std::string f : {"-x^2",

@@ -231,6 +231,7 @@ Result Run::finish() {
     if (result.history.empty()) recover();
     find_stress_peak(result);
     find_modes();
+    warn(mode_warnings(result));
     warn(strain_warnings(result));
   }
   adopt_worst_status();

@@ -248,6 +248,16 @@ std::vector<std::string> strain_warnings(const Result& result) {
       100 * strain, stress)};
 }
 
+std::vector<std::string> mode_warnings(const Result& result) {
+  constexpr double meaningless = 0.3;
+  const auto first = std::ranges::find(result.modes, Mode::Kind::buckling, &Mode::kind);
+  if (first == result.modes.end() || !(first->value * result.summary.max_strain > meaningless)) return {};
+  return {fmt::format(
+      "at the first buckling load the strains would be {:.2g} %: material fails before the shell buckles, and the "
+      "shapes of such modes depend on the mesh",
+      100 * first->value * result.summary.max_strain)};
+}
+
 std::vector<std::string> geometry_warnings(const Result& result) {
   if (!result.estimates || !result.estimates->geometry) return {};
   const auto excess = [](const estimation::GoalEstimate& goal) {

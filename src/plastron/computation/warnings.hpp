@@ -28,6 +28,10 @@ std::vector<std::string> stability_warnings(const Result& result);
 /// Returns a part as per cent, as long as this is meaningful.
 std::string percent(double part);
 
+/// Returns a warning if the strains at the first buckling load are too large for a linear law: such modes are as short as the
+/// cells.
+std::vector<std::string> mode_warnings(const Result& result);
+
 /// Warns of strains beyond the range of the linear material law; needs the stress peak.
 std::vector<std::string> strain_warnings(const Result& result);
 

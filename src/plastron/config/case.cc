@@ -50,6 +50,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_constants(root);
   read_materials(root);
   read_geometry(root, result.problem);  // the variables of other fields depend on it
+  read_imperfections(root, result.problem);
   read_shell(root, result.problem);
   read_regions(root, result.problem);
   read_mesh(root, result.problem);

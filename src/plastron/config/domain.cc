@@ -105,11 +105,13 @@ Domain read_mesh_file(Table& domain) {
 
 }  // namespace
 
-std::optional<std::string> read_mesh_path(Table& table, const std::string& key) {
+std::optional<std::string> read_path(Table& table, const std::string& key, const std::string& what,
+                                     const std::string& advice) {
   const auto name = table.text(key);
   if (!name) return {};
   if (has_control_characters(*name) || name->empty()) {
-    table.report(key, name->empty() ? "the path of the mesh file is empty" : "the path has a control character");
+    table.report(key,
+                 name->empty() ? fmt::format("the path of the {} is empty", what) : "the path has a control character");
     return {};
   }
   const auto path = table.reading().file(*name);
@@ -117,10 +119,14 @@ std::optional<std::string> read_mesh_path(Table& table, const std::string& key) 
   if (std::filesystem::is_regular_file(path, error)) return path.string();
   const bool is_there = std::filesystem::exists(path, error);
   table.report(key,
-               is_there ? fmt::format("{} is a directory, a pipe or a device, not a mesh file", path.string())
-                        : fmt::format("there is no mesh file {}", path.string()),
-               "", is_there ? "name a Gmsh file (.msh)" : "the path is relative to the folder of the case file");
+               is_there ? fmt::format("{} is a directory, a pipe or a device, not a {}", path.string(), what)
+                        : fmt::format("there is no {} {}", what, path.string()),
+               "", is_there ? advice : "the path is relative to the folder of the case file");
   return {};
+}
+
+std::optional<std::string> read_mesh_path(Table& table, const std::string& key) {
+  return read_path(table, key, "mesh file", "name a Gmsh file (.msh)");
 }
 
 std::vector<Section> domain_sections() {

@@ -26,6 +26,7 @@ std::vector<Section> file_sections() {
             tables("material", "materials with a name"),
             required("shell", "material and thickness"),
             required("geometry", "the mid-surface"),
+            tables("imperfection", "differences of the mid-surface from its ideal shape"),
             tables("region", "thickness, material, density of a region"),
             table("accuracy", "required accuracy of results"),
             table("mesh", "the discretisation"),
@@ -52,9 +53,9 @@ const std::vector<Section>& sections() {
   static const std::vector<Section> all = [] {
     std::vector<Section> list;
     for (const auto declare :
-         {file_sections, constants_sections, material_sections, shell_sections, geometry_sections, accuracy_sections,
-          mesh_sections, join_sections, rigid_body_sections, support_sections, load_sections, obstacle_sections,
-          step_sections, probe_sections, output_sections, solver_sections})
+         {file_sections, constants_sections, material_sections, shell_sections, geometry_sections,
+          imperfection_sections, accuracy_sections, mesh_sections, join_sections, rigid_body_sections, support_sections,
+          load_sections, obstacle_sections, step_sections, probe_sections, output_sections, solver_sections})
       std::ranges::move(declare(), std::back_inserter(list));
     return list;
   }();

@@ -39,10 +39,16 @@ void read_geometry(Table& root, problem::Problem& problem);
 /// Sets the planes of symmetry and the thickness, on which a mesh in space depends. Call it after shell, regions and
 /// supports.
 void complete_geometry(problem::Problem& problem);
+std::vector<Section> imperfection_sections();
+/// Reads the imperfections. Those in expressions of x and y become part of the charts. Call it after [geometry].
+void read_imperfections(Table& root, problem::Problem& problem);
 /// Returns the domain of [geometry] and its shapes.
 std::vector<Section> domain_sections();
 std::optional<domain::Domain> read_domain(Table& geometry);
-/// Reads the path of a mesh file from a key; reports a path that is no file.
+/// Reads the path of a file from a key; reports a path that is no file. `what`: its kind in messages, "mesh file".
+std::optional<std::string> read_path(Table& table, const std::string& key, const std::string& what,
+                                     const std::string& advice);
+/// The same for a mesh file.
 std::optional<std::string> read_mesh_path(Table& table, const std::string& key);
 
 std::vector<Section> accuracy_sections();

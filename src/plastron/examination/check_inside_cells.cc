@@ -55,7 +55,10 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
     examined.add(Severity::warning,
                  "the curvature of the mid-surface jumps inside of a cell near {}, by {:.3g} 1/m; "
                  "results converge slowly there; {}",
-                 examined.place(jump->at), jump->size * largest, mesh_line);
+                 examined.place(jump->at), jump->size * largest,
+                 examined.surface->coarse().shifts.empty()
+                     ? mesh_line
+                     : "let the meshes of the mode and of this case have the same cells, or cells as small");
 }
 
 /// Returns f divided by the scale in the cells where it acts, zero in others.

@@ -56,11 +56,12 @@ void check_directors(Examined& examined) {
 void check_formulation(Examined& examined, const ExaminedNodes& nodes) {
   using element::Formulation;
   const Formulation kind = examined.problem.shell.tangency.formulation;
-  if (kind == Formulation::classical && examined.surface->has_directors())
-    examined.add(
-        Severity::error,
-        "the classical formulation needs a smooth chart, which a mesh in space does not have; use formulation = "
-        "\"tangent\"");
+  const bool has_chart = !examined.surface->has_directors() && examined.surface->coarse().shifts.empty();
+  if (kind == Formulation::classical && !has_chart)
+    examined.add(Severity::error,
+                 "the classical formulation needs a smooth chart, which a mesh in space and the shape of a mode do not "
+                 "have; use "
+                 "formulation = \"tangent\"");
   if (kind == Formulation::classical && examined.problem.charts.size() > 1)
     examined.add(Severity::error,
                  "the classical formulation needs a smooth chart, and the regions {} have charts of their own, where "

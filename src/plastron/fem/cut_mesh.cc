@@ -21,6 +21,7 @@ class Subdivision {
     mesh_.regions = whole.regions;
     mesh_.boundaries = whole.boundaries;
     mesh_.patches = whole.patches;
+    mesh_.shifts = whole.shifts;
     mesh_.fold_boundaries = whole.fold_boundaries;
   }
 

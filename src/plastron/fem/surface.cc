@@ -3,6 +3,7 @@
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/mesh/cell_map.hpp>
 #include <plastron/mesh/surface_patches.hpp>
+#include <plastron/mesh/surface_shift.hpp>
 #include <plastron/topology/space_mesh.hpp>
 
 #include <fmt/format.h>
@@ -63,8 +64,8 @@ void Surface::positions(const Cell& cell, std::span<const Vector2d> xi, std::spa
   }
 }
 
-void Surface::frames(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::Frame> frames,
-                     bool second_derivatives) const {
+void Surface::frames_without_shifts(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::Frame> frames,
+                                    bool second_derivatives) const {
   PLASTRON_ASSERT(frames.size() == xi.size(), frames.size(), xi.size());
   if (has_directors()) {
     const int patch = coarse_->cells[static_cast<std::size_t>(cell.coarse)].patch;
@@ -81,6 +82,37 @@ void Surface::frames(const Cell& cell, std::span<const Vector2d> xi, std::span<g
   }
   chart_of(cell).evaluate(x, y, jets, second_derivatives);
   for (std::size_t p = 0; p < xi.size(); ++p) frames[p] = geometry::frame_at(geometry::compose(jets[p], plane[p]));
+}
+
+geometry::Frame Surface::shifted(const Cell& cell, const Vector2d& xi, const geometry::Frame& frame) const {
+  constexpr double step = 1e-6;  // towards the centre of the cell: the point then lies in one cell of the shift's mesh
+  const geometry::PlaneJet plane = plane_jet(cell, xi);
+  const Vector2d point = address(cell, xi), centre = address(cell, mesh::centre(coarse_->shape));
+  std::array<geometry::Vector3d, 2> tangents = frame.a_cov, dr{geometry::Vector3d::Zero(), geometry::Vector3d::Zero()};
+  geometry::Vector3d phi = frame.phi, director = frame.a3;
+  for (const auto& shift : coarse_->shifts) {
+    const mesh::SurfaceShift::Jet jet = shift->at(point, point + step * (centre - point));
+    phi += jet.u;
+    director += jet.r;
+    for (std::size_t a = 0; a < 2; ++a) {
+      tangents[a] += plane.d[a][0] * jet.du[0] + plane.d[a][1] * jet.du[1];
+      dr[a] += plane.d[a][0] * jet.dr[0] + plane.d[a][1] * jet.dr[1];
+    }
+  }
+  const double length = director.norm();
+  director /= length;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const geometry::Vector3d d = (frame.da3[a] + dr[a]) / length;
+    dr[a] = d - director.dot(d) * director;
+  }
+  return geometry::frame_with_director(phi, tangents, director, dr);
+}
+
+void Surface::frames(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::Frame> frames,
+                     bool second_derivatives) const {
+  frames_without_shifts(cell, xi, frames, second_derivatives);
+  if (coarse_->shifts.empty()) return;
+  for (std::size_t p = 0; p < xi.size(); ++p) frames[p] = shifted(cell, xi[p], frames[p]);
 }
 
 geometry::Frame Surface::frame(const Cell& cell, const Vector2d& xi, bool second_derivatives) const {
@@ -115,6 +147,8 @@ void Surface::parameter_jets(const Cell& cell, std::span<const Vector2d> xi,
                              std::span<geometry::SurfaceJet> jets) const {
   PLASTRON_ASSERT(jets.size() == xi.size(), jets.size(), xi.size());
   if (has_directors()) throw mesh::DomainError("a mesh in space has no chart, which the classical formulation needs");
+  if (!coarse_->shifts.empty())
+    throw mesh::DomainError("a shell with the shape of a mode has no chart, which the classical formulation needs");
   std::vector<double> x(xi.size()), y(xi.size());
   positions(cell, xi, x, y);
   chart_of(cell).evaluate(x, y, jets, true);

@@ -25,7 +25,8 @@ class Surface {
 
   /// Points of Omega: the images of points xi of the reference cell; addresses on a mesh in space (address_of()).
   void positions(const Cell& cell, std::span<const Vector2d> xi, std::span<double> x, std::span<double> y) const;
-  /// Frames in the cell's own coordinates (M1-M3). Without second derivatives da3 and b_cov are zero.
+  /// Frames in the cell's own coordinates (M1-M3), with the shifts of the coarse mesh. Without second derivatives da3 and b_cov
+  /// have no meaning.
   void frames(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::Frame> frames,
               bool second_derivatives = true) const;
   geometry::Frame frame(const Cell& cell, const Vector2d& xi, bool second_derivatives = true) const;
@@ -42,13 +43,16 @@ class Surface {
   void parameter_jets(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::SurfaceJet> jets) const;
 
   const mesh::CoarseMesh& coarse() const { return *coarse_; }
-  /// Whether a3 is a director and not the normal of a chart.
+  /// Whether the mesh lies in space. Its a3 is a director and not the normal of a chart.
   bool has_directors() const { return coarse_->patches != nullptr; }
 
  private:
   const geometry::Chart& chart_of(const Cell& cell) const;
   geometry::PlaneJet plane_jet(const Cell& cell, const Vector2d& xi) const;
   Vector2d address(const Cell& cell, const Vector2d& xi) const;
+  void frames_without_shifts(const Cell& cell, std::span<const Vector2d> xi, std::span<geometry::Frame> frames,
+                             bool second_derivatives) const;
+  geometry::Frame shifted(const Cell& cell, const Vector2d& xi, const geometry::Frame& frame) const;
 
   std::shared_ptr<const mesh::CoarseMesh> coarse_;
   std::vector<geometry::Chart> charts_;  // by region index

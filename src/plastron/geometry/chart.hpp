@@ -11,10 +11,17 @@
 
 namespace plastron::geometry {
 
+/// A displacement of a chart, in expressions of x and y with two derivatives.
+struct ChartDisplacement {
+  std::array<std::string, 3> cartesian{"0", "0", "0"};  ///< [m]
+  std::string normal = "0";  ///< along the unit normal of the chart without displacements [m]
+};
+
 class Chart {
  public:
-  /// Throws ExpressionError; its message names the component.
-  Chart(const std::array<std::string, 3>& components, const Constants& constants);
+  /// The sum of the components and the displacements. Throws ExpressionError. Given functions cannot be displaced.
+  Chart(const std::array<std::string, 3>& components, const Constants& constants,
+        const std::vector<ChartDisplacement>& displacements = {});
 
   /// phi with first and second derivatives with respect to x and y.
   SurfaceJet operator()(double x, double y) const;
@@ -22,6 +29,7 @@ class Chart {
   void evaluate(std::span<const double> x, std::span<const double> y, std::span<SurfaceJet> jets,
                 bool second_derivatives = true) const;
 
+  /// Returns the components without displacements.
   const std::array<std::string, 3>& components() const { return components_; }
 
  private:

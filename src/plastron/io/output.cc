@@ -4,6 +4,7 @@
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/io/contact_report.hpp>
 #include <plastron/io/csv_tables.hpp>
+#include <plastron/io/mode_file.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/plot.hpp>
 #include <plastron/io/report.hpp>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -37,7 +39,7 @@ bool is_written(std::string_view name, std::string_view base_name) {
   const bool is_of_contact = name.starts_with("contact-"), is_of_line = name.starts_with("line-");
   const bool are_fields = name.starts_with(base_name) || name.starts_with("obstacles") || name.starts_with("solid");
   return std::ranges::find(exact, name) != exact.end() || ((is_of_contact || is_of_line) && name.ends_with(".csv")) ||
-         ((is_of_contact || are_fields) && name.ends_with(".vtu")) ||
+         ((is_of_contact || are_fields) && name.ends_with(".vtu")) || name.ends_with(".mode") ||
          (name.starts_with(base_name) && std::ranges::any_of(std::array{".pvd", ".plastron", ".case.toml"},
                                                              [&](const char* end) { return name.ends_with(end); }));
 }
@@ -131,6 +133,7 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
     provenance.solution = base_name_ + ".plastron";
     names_.push_back(provenance.solution);
     add_solution(*result.solution, directory_ / provenance.solution, files_);
+    std::ranges::move(add_modes(*result.solution, directory_, files_), std::back_inserter(names_));
   }
   std::vector<LineTable> tables;
   if (is_drawn) tables = line_tables(*result.solution, lines, given_);

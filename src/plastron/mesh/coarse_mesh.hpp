@@ -40,6 +40,7 @@ struct Fold {
 };
 
 struct SurfacePatches;
+class SurfaceShift;
 
 struct CoarseMesh {
   Shape shape = Shape::quadrilateral;
@@ -52,8 +53,9 @@ struct CoarseMesh {
   /// empty.
   std::vector<Cuts> cuts{};
   std::shared_ptr<const SurfacePatches> patches{};  ///< the surface of a mesh in space; null in a plane domain
-  std::vector<Fold> folds{};                        ///< pairs of edges joined at an angle; only on meshes in space
-  std::vector<std::string> fold_boundaries{};       ///< names of boundaries that consist of connected folds
+  std::vector<std::shared_ptr<const SurfaceShift>> shifts{};  ///< changes of the mid-surface; they add up
+  std::vector<Fold> folds{};                   ///< pairs of edges joined at an angle; only on meshes in space
+  std::vector<std::string> fold_boundaries{};  ///< names of boundaries that consist of connected folds
 };
 
 /// The address of a point of a mesh in space takes the place of a point of Omega: (2 c + xi_1, xi_2) for the point xi of

@@ -3,6 +3,7 @@
 #include <plastron/domain/domain.hpp>
 #include <plastron/domain/domain_mesh.hpp>
 #include <plastron/meshing/constants.hpp>
+#include <plastron/meshing/imperfections.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -203,7 +204,9 @@ bool is_refined_evenly(const problem::Problem& problem) {
   return problem.accuracy->is_uniform || problem.discretisation.cells == mesh::Shape::triangle;
 }
 
-StartMesh start_mesh(const problem::Problem& problem) {
+namespace {
+
+StartMesh perfect_mesh(const problem::Problem& problem) {
   const problem::Discretisation& d = problem.discretisation;
   const auto plain = [&](const std::string& why) {
     return StartMesh{.coarse = domain::coarse_mesh(problem.domain, d.cells), .rows = {}, .no_rows = why};
@@ -224,6 +227,14 @@ StartMesh start_mesh(const problem::Problem& problem) {
     return plain(error.what());
   }
   if (!has_points(mesh.coarse, problem)) return plain("points that are held would be no nodes");
+  return mesh;
+}
+
+}  // namespace
+
+StartMesh start_mesh(const problem::Problem& problem) {
+  StartMesh mesh = perfect_mesh(problem);
+  mesh.coarse.shifts = shifts_of(problem.imperfections, mesh.coarse);
   return mesh;
 }
 

@@ -19,7 +19,8 @@ struct StartMesh {
   std::string no_rows{};          ///< reason why there are no rows although the problem requests them; empty otherwise
 };
 
-/// Returns the start mesh. Throws mesh::DomainError where the domain cannot be meshed.
+/// Returns the start mesh, with the imperfections. Throws mesh::DomainError where the domain cannot be meshed or a mode belongs
+/// to another domain.
 StartMesh start_mesh(const problem::Problem& problem);
 
 /// Whether all cells of a problem with an accuracy are divided, or none. The problem may request this, and triangles

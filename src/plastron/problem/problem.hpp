@@ -5,11 +5,15 @@
 #include <plastron/domain/domain.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/chart.hpp>
+#include <plastron/geometry/space_function.hpp>
 #include <plastron/mesh/reference_cell.hpp>
+#include <plastron/mesh/surface_shift.hpp>
 #include <plastron/problem/unit_names.hpp>
 
+#include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,6 +95,15 @@ struct Line {
       in_space{};  ///< if given, `points` are the nearest points: locate_points() sets them [m]
 };
 
+/// A difference of the stress-free mid-surface from its charts or its mesh. Exactly one of the three is given.
+struct Imperfection {
+  std::shared_ptr<const geometry::SpaceFunction> normal{};  ///< displacement along a_3, on a mesh in space [m]
+  std::array<std::shared_ptr<const geometry::SpaceFunction>, 3> displacement{};  ///< on a mesh in space [m]
+  std::string mode_file{};                            ///< path of a mode, which `shift` is read from
+  double amplitude = 0;                               ///< largest displacement by the mode [m]
+  std::shared_ptr<const mesh::SurfaceShift> shift{};  ///< the mode, multiplied by the amplitude
+};
+
 /// Form of the results.
 struct Output {
   std::optional<Eigen::Vector3d> axis{};  ///< direction that t1 follows, projected on the surface; empty: d phi/dx
@@ -107,6 +120,7 @@ struct Problem {
   std::vector<fem::Join> joins{};                 ///< edges that are joined
   std::vector<fem::RigidBody> rigid_bodies{};     ///< bodies that carry edges
   std::map<std::string, geometry::Chart> charts;  ///< charts by region; the unnamed region is ""
+  std::vector<Imperfection> imperfections{};      ///< besides those that are part of the charts
   assembly::ShellDescription shell{};             ///< sections, formulation, supports, loads and obstacles
   std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps nothing moves
   std::vector<Probe> probes{};

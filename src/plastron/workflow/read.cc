@@ -6,6 +6,8 @@
 #include <plastron/config/printable.hpp>
 #include <plastron/domain/domain_mesh.hpp>
 #include <plastron/geometry/given_function.hpp>
+#include <plastron/io/mode_file.hpp>
+#include <plastron/mesh/surface_patches.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <fmt/format.h>
@@ -36,6 +38,16 @@ std::vector<examination::Finding> from_one_text(const std::string& all) {
     at = end + 1;
   }
   return findings;
+}
+
+/// Reads the modes of imperfections, every rank by itself.
+void read_modes(problem::Problem& problem) {
+  const auto* file = std::get_if<domain::MeshFile>(&problem.domain);
+  if (file && file->in_space && !file->mesh) return;  // the mesh is wrong, and the examination says why
+  const std::size_t patches = file && file->in_space ? file->mesh->patches->patches.size() : 0;
+  for (problem::Imperfection& imperfection : problem.imperfections)
+    if (!imperfection.mode_file.empty())
+      imperfection.shift = io::read_mode(imperfection.mode_file, imperfection.amplitude, patches);
 }
 
 bool is_first_rank(MPI_Comm comm) {
@@ -74,6 +86,13 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
     }
   });
   c.problem.domain = domain::with_shared_mesh(std::move(c.problem.domain), c.problem.discretisation.cells, comm);
+  algebra::in_agreement<RefusedCase>(comm, [&] {
+    try {
+      read_modes(c.problem);
+    } catch (const io::UnusableResults& error) {
+      throw RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
+    }
+  });
   try {
     problem::locate_points(c.problem);
   } catch (const mesh::DomainError&) {  // the examination and the solution report what is wrong with the mesh

@@ -1,0 +1,51 @@
+// A field (u, r) on a mesh of its own, as a change of the mid-surface: the shape of a mode that a computation on any mesh of the
+// same domain has found.
+#pragma once
+#include <plastron/mesh/reference_cell.hpp>
+#include <plastron/mesh/surface_shift.hpp>
+#include <plastron/topology/box_tree.hpp>
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace plastron::fem {
+
+class ShapeField final : public mesh::SurfaceShift {
+ public:
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+  /// Nodes are those of mesh::node_points(), cell by cell.
+  struct Cells {
+    mesh::Shape shape = mesh::Shape::quadrilateral;
+    int degree = 1;
+    std::vector<mesh::Vector2d> points{};  ///< places of the nodes in Omega, or addresses
+    std::vector<Vector6> values{};         ///< (u, r) there
+  };
+
+  /// Precondition: points and values of whole cells.
+  explicit ShapeField(Cells cells);
+
+  Jet at(const mesh::Vector2d& point, const mesh::Vector2d& inside) const override;
+
+ private:
+  struct Basis {
+    Eigen::VectorXd value, d1, d2;
+  };
+  struct Found {
+    std::size_t cell;
+    mesh::Vector2d xi;
+  };
+  Basis basis(const mesh::Vector2d& xi) const;
+  std::size_t nodes_per_cell() const;
+  /// Returns the place in Omega and its derivatives along xi, as columns.
+  Eigen::Matrix<double, 2, 3> place(std::size_t cell, const Basis& basis) const;
+  std::optional<mesh::Vector2d> inverse(std::size_t cell, const mesh::Vector2d& point, mesh::Vector2d start) const;
+  Found find(const mesh::Vector2d& inside) const;
+
+  Cells cells_;
+  std::vector<double> nodes_{};  // of a square element along one direction
+  topology::BoxTree boxes_;
+};
+
+}  // namespace plastron::fem
