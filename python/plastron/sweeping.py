@@ -8,6 +8,7 @@ import itertools
 import json
 import os
 import pathlib
+import re
 from typing import Any, Iterable, Mapping
 
 from . import _case, toml_text
@@ -16,6 +17,13 @@ from .errors import CaseError
 from .result import parsed
 
 REFUSED = "refused"
+
+# What the library says about a key that is wrong for every value. Unknown names are found by _UNKNOWN.
+_WRONG_KEY = re.compile(
+    "is no key of a case file|counted from 0|has no keys in the case|is no list in the case|has several entries|the case has no |"
+    "cannot be added to|is a repeated section|there is no number|which fix does not name"
+)
+_UNKNOWN = re.compile(r'unknown key "([^"]*)"|unknown section \[+([^\]]*)')
 
 
 class Table:
@@ -96,7 +104,7 @@ def sweep(
     report: whether each of these has a report.html.
     progress: shows the number of finished cases.
 
-    Cases that cannot be solved are rows with the status "refused".
+    Cases that cannot be solved are rows with the status "refused". A key that the case file does not know raises CaseError.
     """
     for key, values in parameters.items():
         if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
@@ -105,7 +113,24 @@ def sweep(
     if pairwise and len({len(values) for values in lists}) > 1:
         raise ValueError(f"with pairwise all parameters have as many values: {[len(values) for values in lists]}")
     settings = [dict(zip(parameters, values)) for values in (zip(*lists) if pairwise else itertools.product(*lists))]
-    return _solve_members(_members(case, settings), list(parameters), executor, workers, directory, report, progress)
+    members = _members(case, settings)
+    for key in parameters:
+        wrong = [member for _, member in members if isinstance(member, CaseError) and _is_of_key(member, key)]
+        if wrong and len(wrong) == len(members):
+            raise wrong[0]
+    return _solve_members(members, list(parameters), executor, workers, directory, report, progress)
+
+
+def _is_of_key(error: CaseError, key: str) -> bool:
+    """Whether an error says that the case cannot have a key, whatever its value is."""
+    names = re.split(r"[.\[]", key)
+    for mistake in error.mistakes:
+        if not mistake["file"].startswith(f"--set {key}="):
+            continue
+        unknown = _UNKNOWN.match(mistake["what"])
+        if (unknown[1] or unknown[2]) in names if unknown else _WRONG_KEY.search(mistake["what"]):
+            return True
+    return False
 
 
 def combine(
