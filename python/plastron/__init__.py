@@ -4,7 +4,7 @@
     case = plastron.Case.read("case.toml")
     case["shell.thickness"] = 0.01
     result = plastron.solve(case, progress=True)
-    print(result.energy, result.unit("energy"))
+    print(result.energy, result.unit_of("energy"))
 """
 
 from ._case import version as __version__

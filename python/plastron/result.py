@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """A part of results.json: its entries are attributes. ``unit(name)`` gives their units, ``to_dict()`` plain values.
+    """A part of results.json: its entries are attributes. ``unit_of(name)`` gives their units, ``to_dict()`` plain values.
 
     Lists of parts with names, such as the obstacles, are found by name or number: ``result.obstacles["table"].force``.
     Vectors are NumPy arrays, numbers without a meaning None. ``reaction`` parts have ``force`` and ``moment``, which are also
@@ -59,8 +59,8 @@ class Record:
     def keys(self) -> Iterable[str]:
         return self._data.keys()
 
-    def unit(self, name: str) -> str:
-        """Returns the unit of an entry, or of an entry of its parts: ``unit("energy")``, ``unit("contact.area")``."""
+    def unit_of(self, name: str) -> str:
+        """Returns the unit of an entry, or of an entry of its parts: ``unit_of("energy")``, ``unit_of("contact.area")``."""
         steps = _joined(self._path, name).replace(".", "/").split("/")
         for path, unit in self._units.items():
             known = path.split("/")
@@ -153,7 +153,7 @@ class Result(Record):
     """A result. Numbers are attributes under the names of results.json: ``result.energy``, ``result.contact.area``,
     ``result.obstacles["table"].force``, ``result.certificate``, ``result.estimates``, ``result.probes.bottom.u``.
 
-    ``status`` is "solved" if every limit is met; other words say what is missing (``status_text``). ``unit("energy")`` is the
+    ``status`` is "solved" if every limit is met; other words say what is missing (``status_text``). ``unit_of("energy")`` is the
     unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere.
     """
 
@@ -283,7 +283,7 @@ class Result(Record):
     def _repr_html_(self) -> str:
         """The summary and the interactive view in a notebook: the report's own page."""
         numbers = "".join(
-            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self.unit(name))}</td></tr>"
+            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self.unit_of(name))}</td></tr>"
             for name, value in _summary(self._data)
         )
         head = f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"

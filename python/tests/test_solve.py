@@ -55,22 +55,35 @@ class TestNumbers:
             result["energie"]
 
     def test_every_number_has_its_unit(self, result):
-        assert result.unit("energy") == "J"
-        assert result.unit("contact.area") == "m^2"
-        assert result.contact.unit("max_pressure") == "Pa"
-        assert result.contact.edge.unit("force") == "N"
-        assert result.obstacles["table"].unit("area") == "m^2"
-        assert result.obstacles["table"].unit("reaction.force") == "N"
-        assert result.probes.tip.unit("u") == "m"
-        assert result.levels[0].unit("unknowns") == "1"
-        assert result.levels[0].seconds.unit("total") == "s"
+        assert result.unit_of("energy") == "J"
+        assert result.unit_of("contact.area") == "m^2"
+        assert result.contact.unit_of("max_pressure") == "Pa"
+        assert result.contact.edge.unit_of("force") == "N"
+        assert result.obstacles["table"].unit_of("area") == "m^2"
+        assert result.obstacles["table"].unit_of("reaction.force") == "N"
+        assert result.probes.tip.unit_of("u") == "m"
+        assert result.levels[0].unit_of("unknowns") == "1"
+        assert result.levels[0].seconds.unit_of("total") == "s"
         with pytest.raises(KeyError, match="status has no unit"):
-            result.unit("status")
+            result.unit_of("status")
+
+    def test_the_unit_of_a_part_is_a_text(self, result):
+        assert result.estimates.goals["energy"].unit == "J"
+        assert result.linearity.quantities["energy"].unit == "J"
+        assert (result.certificate_limits.min_gap_nodes.unit, result.certificate_limits.min_pressure.unit) == ("m", "Pa")
+
+    def test_no_entry_of_a_part_has_the_name_of_a_method(self, result):
+        def names(value):
+            entries = value.values() if isinstance(value, dict) else value if isinstance(value, list) else []
+            return set(value if isinstance(value, dict) else ()).union(*map(names, entries))
+
+        methods = {name for name in dir(plastron.Record) if not name.startswith("__")}
+        assert not names(result.to_dict()) & methods
 
     def test_units_have_the_names_that_the_case_gives(self, case):
         case["units.length"] = "mm"
         other = quiet(plastron.solve, case)
-        assert other.unit("energy") == "mJ"
+        assert other.unit_of("energy") == "mJ"
         assert other.fields.units["displacement"] == "mm"
         assert other.at([[0, 0]]).units["eta"] == "MPa"
 
@@ -83,7 +96,7 @@ class TestNumbers:
 
     def test_attributes_are_listed(self, result):
         assert {"energy", "contact", "fields"} <= set(dir(result))
-        assert {"area", "unit"} <= set(dir(result.contact))
+        assert {"area", "unit_of"} <= set(dir(result.contact))
 
     def test_a_record_is_printed_with_its_numbers(self, result):
         assert f"area: {result.contact.area!r}" in repr(result.contact)
@@ -518,7 +531,7 @@ class TestFiles:
         np.testing.assert_allclose(loaded.fields["u"], result.fields["u"], atol=1e-15)
         np.testing.assert_allclose(loaded.at([[0.5, 0.2]])["u"], result.at([[0.5, 0.2]])["u"], atol=1e-15)
         assert loaded.case.to_dict() == result.case.to_dict()
-        assert loaded.unit("energy") == "J"
+        assert loaded.unit_of("energy") == "J"
 
     def test_loaded_results_can_be_saved_shown_and_verified(self, saved, tmp_path):
         loaded = plastron.load(str(saved))
