@@ -556,6 +556,14 @@ class TestFiles:
         assert all(agrees for _, _, agrees in paths.values()) and len(paths) > 10
         assert any("energy" in path for path in paths)
 
+    def test_the_rows_of_a_verification_have_the_units_of_the_case(self, case, tmp_path):
+        case["units.length"] = "mm"
+        result = quiet(plastron.solve, case, output=tmp_path / "out")
+        verification = result.verify()
+        units = {row: unit for row, _, _, _, unit, _ in verification.rows}
+        assert (units["min_gap_nodes"], units["min_pressure"], units["complementarity"], units["force_balance"]) == ("mm", "MPa", "MPa mm", "1")
+        assert all(units[row] == limit["unit"] for row, limit in result.certificate_limits.to_dict().items())
+
     def test_a_saved_result_passes_the_program(self, saved, tmp_path):
         outcome = command("verify", saved, directory=tmp_path)
         assert outcome.returncode == 0 and "PASSED" in outcome.stdout
