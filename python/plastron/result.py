@@ -154,7 +154,8 @@ class Result(Record):
     ``result.obstacles["table"].force``, ``result.certificate``, ``result.estimates``, ``result.probes.bottom.u``.
 
     ``status`` is "solved" if every limit is met; other words say what is missing (``status_text``). ``unit_of("energy")`` is the
-    unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere.
+    unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere. A notebook shows a summary; ``view()``
+    is the interactive view.
     """
 
     def __init__(self, native: Any, case: Case, data: dict[str, Any], directory: Path, owns_directory: bool, comm: Any = "world") -> None:
@@ -267,6 +268,14 @@ class Result(Record):
 
         return verify(self.directory, comm=self._comm)
 
+    def view(self, height: int = 640) -> View:
+        """Returns the interactive view of report.html, which a notebook shows. It adds the whole page to the notebook, often more
+        than 1 MB. ``height``: of the view [pixels]. Collective."""
+        path = self.directory / "report.html"
+        if not path.exists():
+            raise ResultsError("these results have no report.html; solve the case with report=True")
+        return View(path, height)
+
     def _is_first(self) -> bool:
         from . import _solver
 
@@ -281,18 +290,27 @@ class Result(Record):
         return f"<plastron.Result of {self._case!r}: {self.status}>"
 
     def _repr_html_(self) -> str:
-        """The summary and the interactive view in a notebook: the report's own page."""
+        """The summary in a notebook."""
         numbers = "".join(
             f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self.unit_of(name))}</td></tr>"
             for name, value in _summary(self._data)
         )
-        head = f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"
-        self._complete()
-        report = self._directory / "report.html"
-        if not report.exists():
-            return head
-        page = html.escape(report.read_text(encoding="utf-8"), quote=True)
-        return head + f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:1px solid #ccc"></iframe>'
+        return f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"
+
+
+class View:
+    """The interactive view of a result in a notebook: the page report.html. ``path`` is its file, for a browser."""
+
+    def __init__(self, path: pathlib.Path, height: int) -> None:
+        self.path, self.height = path, height
+        self._page = path.read_text(encoding="utf-8")  # the file goes with its result
+
+    def __repr__(self) -> str:
+        return f"<plastron.View of {self.path}>"
+
+    def _repr_html_(self) -> str:
+        page = html.escape(self._page, quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;height:{self.height}px;border:1px solid #ccc"></iframe>'
 
 
 def _summary(data: dict[str, Any]) -> Iterator[tuple[str, float]]:

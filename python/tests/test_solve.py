@@ -1,5 +1,6 @@
 """Solving: numbers, statuses, callbacks, interruption, fields, values at points, files."""
 
+import html
 import json
 import shutil
 import signal
@@ -538,7 +539,7 @@ class TestFiles:
         target = loaded.save(tmp_path / "again")
         assert sorted(p.name for p in target.iterdir()) == sorted(p.name for p in saved.iterdir())
         assert loaded.verify()
-        assert "<iframe" in loaded._repr_html_()
+        assert "<iframe" in loaded.view()._repr_html_()
 
     def test_results_of_a_case_with_changed_keys_are_loaded_with_them(self, case, tmp_path):
         case["shell.thickness"] = 0.04
@@ -605,7 +606,9 @@ class TestFiles:
     def test_without_a_report_there_is_none(self, case, tmp_path):
         solved = quiet(plastron.solve, case, output=tmp_path / "out", report=False)
         assert not (tmp_path / "out/report.html").exists()
-        assert "<table>" in solved._repr_html_() and "<iframe" not in solved._repr_html_()
+        assert "<table>" in solved._repr_html_()
+        with pytest.raises(plastron.ResultsError, match="no report.html; solve the case with report=True"):
+            solved.view()
 
     def test_a_folder_that_cannot_be_written_is_an_error(self, case, tmp_path):
         (tmp_path / "file").write_text("mine")
@@ -630,7 +633,7 @@ class TestFiles:
 
 
 class TestNotebook:
-    def test_the_page_has_the_numbers_with_units_and_the_report(self, result):
+    def test_the_summary_has_the_numbers_with_units(self, result):
         page = result._repr_html_()
         assert "A strip pressed on a table" in page and "solved" in page
         for name, value, unit in (
@@ -640,7 +643,21 @@ class TestNotebook:
             ("stress.max_von_mises", result.stress.max_von_mises, "Pa"),
         ):
             assert f"{name}</td><td>{value:.6g}</td><td>{unit}</td>" in page, name
-        assert '<iframe srcdoc="&lt;!doctype html&gt;' in page
+
+    def test_the_summary_is_small_and_writes_no_files(self, case):
+        solved = quiet(plastron.solve, case)
+        assert len(solved._repr_html_()) < 2000
+        assert not (solved._directory / "results.json").exists()
+
+    def test_the_view_is_the_report(self, case):
+        solved = quiet(plastron.solve, case)
+        view = solved.view(height=400)
+        report = view.path.read_text(encoding="utf-8")
+        assert view.path == solved.directory / "report.html" and "report.html" in repr(view)
+        del solved
+        page = view._repr_html_()  # also when the files are gone
+        assert page.startswith('<iframe srcdoc="&lt;!doctype html&gt;') and "height:400px" in page
+        assert html.unescape(page.split('"')[1]) == report
 
     def test_titles_are_quoted(self, case):
         case["title"] = "<script>alert(1)</script>"
