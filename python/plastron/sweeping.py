@@ -14,6 +14,7 @@ from typing import Any, Iterable, Mapping
 from . import _case, toml_text
 from .case import Case, Path
 from .errors import CaseError
+from .progress import bar as progress_bar
 from .result import parsed
 
 REFUSED = "refused"
@@ -250,7 +251,7 @@ def _solve_members(
             outcomes[i] = (_row(finished), None)
         else:
             waiting.append(i)
-    bar = _bar(len(members), len(members) - len(waiting)) if progress else None
+    bar = progress_bar(total=len(members), initial=len(members) - len(waiting), unit=" cases") if progress else None
     if executor is None and (len(waiting) < 2 or (workers is not None and workers < 2)):
         for i in waiting:
             outcomes[i] = _solve_one(members[i][1].__getstate__(), folders[i], report)
@@ -316,9 +317,3 @@ def _text(value: Any) -> str:
 
 def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def _bar(total: int, done: int) -> Any:
-    from tqdm.auto import tqdm
-
-    return tqdm(total=total, initial=done, unit=" cases")

@@ -1,6 +1,7 @@
 """Solving: numbers, statuses, callbacks, interruption, fields, values at points, files."""
 
 import html
+import importlib.util
 import json
 import shutil
 import signal
@@ -658,6 +659,30 @@ class TestNotebook:
         page = view._repr_html_()  # also when the files are gone
         assert page.startswith('<iframe srcdoc="&lt;!doctype html&gt;') and "height:400px" in page
         assert html.unescape(page.split('"')[1]) == report
+
+    @pytest.mark.skipif(importlib.util.find_spec("ipywidgets") is not None, reason="ipywidgets are installed")
+    @pytest.mark.parametrize("call", ["plastron.solve(case, progress=True)", 'plastron.sweep(case, {"shell.E": [1, 2]}, progress=True, workers=1)'])
+    def test_without_ipywidgets_a_bar_is_text_without_a_warning(self, call, tmp_path):
+        pytest.importorskip("tqdm")
+        answer = python(
+            f"""
+import io, sys, types, warnings
+import plastron
+sys.modules["ipykernel"] = types.ModuleType("ipykernel")
+module = types.ModuleType("IPython")  # as in a kernel
+module.get_ipython = lambda: types.SimpleNamespace(config={{"IPKernelApp": {{}}}})
+sys.modules["IPython"] = module
+sys.stderr = io.StringIO()
+case = plastron.Case.from_text({STRIP!r})
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    {call}
+assert all(w.category is plastron.PlastronWarning for w in caught), caught
+print(repr(sys.stderr.getvalue()))
+""",
+            tmp_path,
+        )
+        assert "2 done" in answer or "2/2" in answer, answer
 
     def test_titles_are_quoted(self, case):
         case["title"] = "<script>alert(1)</script>"
