@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator
 import numpy as np
 
 from . import _case
-from .errors import ResultsError
+from .errors import PointError, ResultsError
 
 if TYPE_CHECKING:
     from .case import Case, Path
@@ -195,9 +195,16 @@ class Result(Record):
 
     def at(self, points: Any, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at points: n x 2 parameters (x, y), or n x 3 places in space, of which the nearest points of the
-        mid-surface count. ``heights``: z / e of further stresses. Collective."""
+        mid-surface count. ``heights``: z / e of further stresses. Raises PointError for a point outside of the domain. Collective."""
         points = np.atleast_2d(np.asarray(points, dtype=float))
-        return Values(self._solution().values_at(points, [float(z) for z in heights]))
+        if points.ndim != 2 or points.shape[1] not in (2, 3):
+            raise ValueError("points is an array of n x 2 parameters or n x 3 places in space")
+        for point in points[~np.isfinite(points).all(axis=1)]:
+            raise PointError(f"a point at ({', '.join(f'{x:g}' for x in point)}) is not finite")
+        try:
+            return Values(self._solution().values_at(points, [float(z) for z in heights]))
+        except ValueError as error:  # the only one that is left
+            raise PointError(str(error)) from None
 
     def along(self, start: Any, end: Any, points: int = 101, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at equidistant points between two points, as ``at()`` does."""

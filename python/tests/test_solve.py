@@ -450,8 +450,16 @@ class TestValues:
         np.testing.assert_allclose(values[name][0], middle + 0.5 * (upper - middle), rtol=1e-9)
 
     def test_a_point_outside_of_the_domain_is_refused(self, result):
-        with pytest.raises(ValueError, match=r"\(5, 5\) lies outside of the domain"):
+        with pytest.raises(plastron.PointError, match=r"\(5, 5\) lies outside of the domain"):
             result.at([[5, 5]])
+        with pytest.raises(plastron.PointError, match="lies outside of the domain"):
+            result.along([0, 0], [2, 0])
+        assert issubclass(plastron.PointError, plastron.PlastronError) and issubclass(plastron.PointError, ValueError)
+
+    @pytest.mark.parametrize("point", [[np.nan, 0], [0, 0, np.inf]])
+    def test_a_point_that_is_not_finite_is_refused(self, result, point):
+        with pytest.raises(plastron.PointError, match="is not finite"):
+            result.at([[0.5, 0.2, 0][: len(point)], point])
 
     @pytest.mark.parametrize("points", [[1, 2, 3, 4], [[1]], [[[0, 0]]], 3])
     def test_other_shapes_are_refused(self, result, points):
