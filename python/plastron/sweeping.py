@@ -8,6 +8,7 @@ import itertools
 import json
 import os
 import pathlib
+import pickle
 import re
 from typing import Any, Iterable, Mapping
 
@@ -258,6 +259,7 @@ def _solve_members(
             if bar:
                 bar.update(1)
     else:
+        _refuse_functions_for_processes(members, executor)
         owned = None
         if executor is None:
             owned = executor = concurrent.futures.ProcessPoolExecutor(min(workers or _cores(), len(waiting)))
@@ -278,6 +280,23 @@ def _solve_members(
     for (settings, _), (row, _) in zip(members, outcomes):
         texts.append({name: _text(settings[name]) for name in names} | (row or {"status": REFUSED}))
     return Table([settings for settings, _ in members], names, texts, [error for _, error in outcomes])
+
+
+def _refuse_functions_for_processes(members: list[tuple[dict[str, Any], Any]], executor: Any) -> None:
+    """Raises CaseError for functions that pickle cannot send: lambdas, and functions within functions. An executor that meets them
+    may wait for ever. Other executors than these have threads, or ways of their own."""
+    uses_pickle = executor is None or isinstance(executor, concurrent.futures.ProcessPoolExecutor)
+    if not uses_pickle and not type(executor).__module__.startswith("mpi4py."):
+        return
+    for function in (f for _, member in members if isinstance(member, Case) for f in member._functions.values()):
+        try:
+            pickle.dumps(function)
+        except (pickle.PicklingError, AttributeError, TypeError):
+            raise CaseError(
+                f"error: the function {getattr(function.f, '__qualname__', function.f)} of the case cannot go to another process\n"
+                "   define it with def at the top of a module or of a cell, or solve in this process: workers=1, or "
+                "executor=concurrent.futures.ThreadPoolExecutor()\n"
+            ) from None
 
 
 def _solve_one(state: Any, folder: str | None, report: bool) -> tuple[dict[str, str] | None, str | None]:

@@ -419,7 +419,31 @@ class TestLoads:
 LIMIT = 0.04
 
 
+def surface(x, y):
+    return x, y, 0.05 + 0.01 * x * y
+
+
 class TestFunctionsInSweeps:
+    def solved_by(self, case, **options):
+        return plastron.sweep(case, {"shell.nu": [0.3, 0.2]}, **options)["energy"]
+
+    def test_a_function_that_cannot_go_to_a_process_is_an_error_with_advice(self, case):
+        case["shell.thickness"] = lambda x: 0.05 + 0 * x
+        words = "the function .*<lambda> of the case cannot go to another process\n   define it with def at the top of a module .*workers=1"
+        with pytest.raises(plastron.CaseError, match=words) as caught:
+            self.solved_by(case, workers=2)
+        assert caught.value.__suppress_context__
+        with concurrent.futures.ProcessPoolExecutor(2) as executor:
+            with pytest.raises(plastron.CaseError, match=words):
+                self.solved_by(case, executor=executor)
+        with concurrent.futures.ThreadPoolExecutor(2) as executor:
+            alone = self.solved_by(case, workers=1)
+            assert self.solved_by(case, executor=executor) == alone
+
+    def test_components_go_to_processes(self, case):
+        case["geometry.chart"] = plastron.components(surface)
+        assert self.solved_by(case, workers=2) == self.solved_by(case, workers=1)
+
     def test_a_function_whose_global_has_changed_is_solved_again(self, case, tmp_path, monkeypatch):
         case["shell.thickness"] = lambda x: LIMIT + 0 * x
         first = plastron.sweep(case, {"shell.nu": [0.3]}, directory=tmp_path, workers=1)["energy"]
