@@ -31,7 +31,7 @@ _UNKNOWN = re.compile(r'unknown key "([^"]*)"|unknown section \[+([^\]]*)')
 class Table:
     """The rows of a sweep. ``table["energy"]`` is a column as a list, ``table.rows`` has a dictionary for each case: the values
     of the parameters, then the numbers of the result under the names of history.csv. ``status`` is "refused" for a case that
-    cannot be solved, with the reason under ``error``."""
+    cannot be solved, and the last column, ``error``, has the reason; it is None elsewhere."""
 
     def __init__(
         self,
@@ -44,8 +44,7 @@ class Table:
         self._texts = texts
         self.rows = [{name: parsed(text) for name, text in row.items()} | values for row, values in zip(texts, given)]
         for row, error in zip(self.rows, errors):
-            if error:
-                row["error"] = error
+            row["error"] = error
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -57,6 +56,10 @@ class Table:
 
     @property
     def columns(self) -> list[str]:
+        """The names of the columns: parameters, status, numbers, error."""
+        return [*self._columns_of_file(), "error"]
+
+    def _columns_of_file(self) -> list[str]:
         names = list(self.parameters)
         for row in self._texts:
             names += [name for name in row if name not in names]
@@ -68,8 +71,9 @@ class Table:
         return pandas.DataFrame([{name: row.get(name) for name in self.columns} for row in self.rows])
 
     def to_csv(self, path: Path | None = None) -> str | None:
-        """Writes the table as ``plastron sweep`` does, or returns its text without a path."""
-        lines = [self.columns] + [[row.get(name, "") for name in self.columns] for row in self._texts]
+        """Writes the table as ``plastron sweep`` does, without the column ``error``, or returns its text without a path."""
+        names = self._columns_of_file()
+        lines = [names] + [[row.get(name, "") for name in names] for row in self._texts]
         text = "".join(",".join(_case.csv_cell(cell) for cell in line) + "\n" for line in lines)
         if path is None:
             return text

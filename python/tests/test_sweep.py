@@ -65,7 +65,8 @@ class TestSweep:
         assert table.rows[1]["error"].startswith("--set shell.thickness=-1: error: thickness is -1, out of range")
         assert "must be positive" in table.rows[2]["error"]
         assert table["energy"][0] > 0 and table["energy"][1:] == [None, None]
-        assert "error" not in table.rows[0]
+        assert table.columns[-1] == "error" and table["error"] == [None, *(row["error"] for row in table.rows[1:])]
+        assert list(table.to_dataframe()["error"])[1] == table.rows[1]["error"]
 
     @pytest.mark.parametrize(
         "key, words",
@@ -115,7 +116,7 @@ class TestTable:
 
     def test_columns_are_lists_and_rows_dictionaries(self, table):
         assert len(table) == 2 and table.parameters == ["shell.thickness"]
-        assert table.columns[:2] == ["shell.thickness", "status"]
+        assert table.columns[:2] == ["shell.thickness", "status"] and table["error"] == [None, None]
         assert table["energy"] == [row["energy"] for row in table.rows]
         with pytest.raises(KeyError, match="'energie': there is no such column; the first are shell.thickness, status"):
             table["energie"]
