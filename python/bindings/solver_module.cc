@@ -207,19 +207,22 @@ py::tuple solve(const CaseText& given, const std::string& directory, bool is_tem
   return py::make_tuple(std::move(solved), caller.is_interrupted(), shared.string());
 }
 
-/// Returns the judgement as a dictionary with JSON texts.
+/// Returns the judgement as a dictionary with JSON texts, with the names of the case's units.
 py::dict verdict_of(const workflow::Judgement& judgement) {
-  py::list rows, numbers;
+  const problem::UnitNames units =
+      judgement.read_case ? judgement.read_case->problem.output.units : problem::UnitNames{};
+  py::list rows, numbers, failures;
   for (const auto* limits : {&judgement.recomputed.result.limits, &judgement.recomputed.membership})
     for (const certificate::CertificateLimit& row : *limits)
       rows.append(
-          py::make_tuple(std::string(row.row), row.value, row.limit, row.is_least, std::string(row.unit), row.holds()));
+          py::make_tuple(std::string(row.row), row.value, row.limit, row.is_least, units.label(row.unit), row.holds()));
   for (const io::Comparison& c : judgement.numbers)
     numbers.append(py::make_tuple(c.path, c.recomputed.dump(), c.claimed.dump(), c.tolerance, c.agrees));
   py::dict all;
   all["rows"] = rows;
   all["numbers"] = numbers;
-  all["failures"] = judgement.failures;
+  for (const std::string& text : judgement.failures) failures.append(units.renamed(text));
+  all["failures"] = failures;
   return all;
 }
 

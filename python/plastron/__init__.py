@@ -4,12 +4,12 @@
     case = plastron.Case.read("case.toml")
     case["shell.thickness"] = 0.01
     result = plastron.solve(case, progress=True)
-    print(result.energy, result.unit("energy"))
+    print(result.energy, result.unit_of("energy"))
 """
 
 from ._case import version as __version__
 from .case import Case, Finding
-from .errors import CaseError, OutputError, PlastronError, PlastronWarning, ResultsError
+from .errors import CaseError, OutputError, PlastronError, PlastronWarning, PointError, ResultsError
 
 _LAZY = {
     "Result": "result",
@@ -27,7 +27,7 @@ _LAZY = {
     "sections": "sections",
 }
 
-__all__ = ["Case", "CaseError", "Finding", "OutputError", "PlastronError", "PlastronWarning", "ResultsError", *_LAZY]
+__all__ = ["Case", "CaseError", "Finding", "OutputError", "PlastronError", "PlastronWarning", "PointError", "ResultsError", *_LAZY]
 
 
 def __getattr__(name):

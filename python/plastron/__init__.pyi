@@ -4,6 +4,7 @@ from .errors import CaseError as CaseError
 from .errors import OutputError as OutputError
 from .errors import PlastronError as PlastronError
 from .errors import PlastronWarning as PlastronWarning
+from .errors import PointError as PointError
 from .errors import ResultsError as ResultsError
 from .functions import Function as Function
 from .functions import components as components

@@ -8,7 +8,7 @@ import pathlib
 import re
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Union
 
-from . import _case, toml_text
+from . import _case, toml_edit, toml_text
 
 if TYPE_CHECKING:
     from .result import Result
@@ -40,9 +40,13 @@ class Case:
     keys, their units and defaults are those of the case file: ``help(plastron.sections.Shell)``.
 
     ``case["shell.thickness"]`` is the value in force, also where it is a default. ``case["shell.thickness"] = 0.01`` replaces
-    it; ``case["load[0].pressure"]`` is a key of the first [[load]]. Cases are checked at once: unknown keys and bad values
-    raise CaseError, with the words of the command line. Functions of Python may stand for expressions of x, y, X, Y, Z: see
-    plastron.Function.
+    it; ``case["load[0].pressure"]`` is a key of the first [[load]]. Sections are dictionaries, and lists of them are lists:
+    ``case["load"] += [{"pressure": 1}]`` adds a [[load]], ``del case["load[0]"]`` removes one, ``case["probe"] = [...]`` replaces
+    all. Values are copies: ``case["load"].append(...)`` does not change the case. ``del case["accuracy"]`` removes a section or a
+    key from the text, so that defaults are in force. Comments elsewhere in the text stay.
+
+    Cases are checked at once: unknown keys and bad values raise CaseError, with the words of the command line, and leave the case
+    as it was. Functions of Python may stand for expressions of x, y, X, Y, Z: see plastron.Function.
     """
 
     def __init__(self, **sections: Any) -> None:
@@ -99,7 +103,7 @@ class Case:
 
     @property
     def settings(self) -> tuple[str, ...]:
-        """The settings that replace keys of the text."""
+        """The settings that replace keys of the text. A change of sections makes them a part of the text."""
         return tuple(self._settings)
 
     @property
@@ -123,12 +127,37 @@ class Case:
     def __setitem__(self, key: str, value: Any) -> None:
         self.update({key: value})
 
+    def __delitem__(self, key: str) -> None:
+        text = toml_edit.removed(self._plain_text(), tuple(_parts(key)))
+        if text is None:
+            raise KeyError(f"{key}: the text of this case has no such key" + " (its value is a default)" * (key in self))
+        self._set(text, self._file_name, [], self._functions)
+
     def update(self, settings: Mapping[str, Any]) -> None:
         """Replaces several values at once: key -> value. They need to fit together only afterwards."""
         functions = dict(self._functions)
-        added = [f"{key}={toml_text.value(value, functions)}" for key, value in settings.items()]
-        kept = [s for s in self._settings if s.split("=", 1)[0].strip() not in settings]
-        self._set(self._given, self._file_name, kept + added, functions)
+        text, kept = self._given, self._settings
+        sections = {key: value for key, value in settings.items() if self._is_section(key, value)}
+        if sections:
+            text, kept = self._plain_text(), []
+        for key, value in sections.items():
+            text = toml_edit.changed(text, tuple(_parts(key)), value, self[key], functions)
+        added = [f"{key}={toml_text.value(value, functions)}" for key, value in settings.items() if key not in sections]
+        replaced = tuple(key + end for key in settings for end in "=.[")
+        kept = [s for s in kept if not s.replace(" ", "").startswith(replaced)]
+        self._set(text, self._file_name, kept + added, functions)
+
+    def _is_section(self, key: str, value: Any) -> bool:
+        """Whether a value takes the place of sections of the text. Others are settings, as after --set."""
+        is_empty = isinstance(value, (list, tuple)) and len(value) == 0
+        try:
+            return (is_empty or toml_text.is_section(value)) and toml_edit.is_section(self._text, tuple(_parts(key)))
+        except KeyError:  # the library says what is wrong with the key
+            return False
+
+    def _plain_text(self) -> str:
+        """Returns the text with the settings as a part of it, without the comment of each setting."""
+        return self._text.split("\n", len(self._settings))[-1]
 
     def __contains__(self, key: str) -> bool:
         try:

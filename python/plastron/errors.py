@@ -25,6 +25,10 @@ class ResultsError(PlastronError):
     """Written results that cannot be read, or parts that a result does not have."""
 
 
+class PointError(PlastronError, ValueError):
+    """A point at which a result has no values: outside of the domain, or not finite."""
+
+
 class OutputError(PlastronError, OSError):
     """Results cannot be written."""
 

@@ -225,17 +225,22 @@ def _entry(f: Any, number: int) -> Callable[..., Any]:
 def components(f: Callable[..., Any], **options: Any) -> list[Function]:
     """Returns three Functions of one that returns three arrays: ``chart = components(lambda x, y: (x, y, x**2 - y**2))``. The
     options are those of Function, without gradient and second."""
-    count = 3
+    return [Function(_Component(f, k), **options) for k in range(3)]
 
-    def component(k: int) -> Function:
-        def value(*arguments: Any) -> Any:
-            return f(*arguments)[k]
 
-        value.__signature__ = inspect.signature(f)  # type: ignore[attr-defined]
-        value.__name__ = f"{_identifier(f)}_{k}"
-        return Function(value, **options)
+class _Component:
+    """One of the arrays that a function returns. Unlike a function within a function it can go to another process."""
 
-    return [component(k) for k in range(count)]
+    def __init__(self, f: Callable[..., Any], number: int) -> None:
+        self._f, self._number = f, number
+        self.__name__, self.__qualname__ = f"{_identifier(f)}_{number}", getattr(f, "__qualname__", str(f))
+
+    @property
+    def __signature__(self) -> inspect.Signature:
+        return inspect.signature(self._f)
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self._f(*arguments)[self._number]
 
 
 def as_function(given: Any) -> Function:

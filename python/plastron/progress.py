@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import sys
 from typing import Any
@@ -15,9 +16,7 @@ class Progress:
         self._bar: Any = None
         if _is_interactive():
             try:
-                from tqdm.auto import tqdm
-
-                self._bar = tqdm(desc="mesh 0", unit=" done", mininterval=0.1)
+                self._bar = bar(desc="mesh 0", unit=" done", mininterval=0.1)
             except ImportError:
                 pass
 
@@ -50,5 +49,19 @@ class Progress:
             self._bar.close()
 
 
+def bar(**options: Any) -> Any:
+    """Returns a bar of tqdm: a graphical one in a notebook with ipywidgets, else a line of text. tqdm.auto would warn in a notebook
+    without ipywidgets."""
+    if _is_notebook() and importlib.util.find_spec("ipywidgets") is not None:
+        from tqdm.notebook import tqdm
+    else:
+        from tqdm.std import tqdm
+    return tqdm(**options)
+
+
+def _is_notebook() -> bool:
+    return "ipykernel" in sys.modules
+
+
 def _is_interactive() -> bool:
-    return sys.stderr.isatty() or "ipykernel" in sys.modules
+    return sys.stderr.isatty() or _is_notebook()

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator
 import numpy as np
 
 from . import _case
-from .errors import ResultsError
+from .errors import PointError, ResultsError
 
 if TYPE_CHECKING:
     from .case import Case, Path
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Record:
-    """A part of results.json: its entries are attributes. ``unit(name)`` gives their units, ``to_dict()`` plain values.
+    """A part of results.json: its entries are attributes. ``unit_of(name)`` gives their units, ``to_dict()`` plain values.
 
     Lists of parts with names, such as the obstacles, are found by name or number: ``result.obstacles["table"].force``.
     Vectors are NumPy arrays, numbers without a meaning None. ``reaction`` parts have ``force`` and ``moment``, which are also
@@ -59,8 +59,8 @@ class Record:
     def keys(self) -> Iterable[str]:
         return self._data.keys()
 
-    def unit(self, name: str) -> str:
-        """Returns the unit of an entry, or of an entry of its parts: ``unit("energy")``, ``unit("contact.area")``."""
+    def unit_of(self, name: str) -> str:
+        """Returns the unit of an entry, or of an entry of its parts: ``unit_of("energy")``, ``unit_of("contact.area")``."""
         steps = _joined(self._path, name).replace(".", "/").split("/")
         for path, unit in self._units.items():
             known = path.split("/")
@@ -153,8 +153,9 @@ class Result(Record):
     """A result. Numbers are attributes under the names of results.json: ``result.energy``, ``result.contact.area``,
     ``result.obstacles["table"].force``, ``result.certificate``, ``result.estimates``, ``result.probes.bottom.u``.
 
-    ``status`` is "solved" if every limit is met; other words say what is missing (``status_text``). ``unit("energy")`` is the
-    unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere.
+    ``status`` is "solved" if every limit is met; other words say what is missing (``status_text``). ``unit_of("energy")`` is the
+    unit of a number. ``fields`` has all fields as arrays, ``at(points)`` their values elsewhere. A notebook shows a summary; ``view()``
+    is the interactive view.
     """
 
     def __init__(self, native: Any, case: Case, data: dict[str, Any], directory: Path, owns_directory: bool, comm: Any = "world") -> None:
@@ -194,9 +195,16 @@ class Result(Record):
 
     def at(self, points: Any, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at points: n x 2 parameters (x, y), or n x 3 places in space, of which the nearest points of the
-        mid-surface count. ``heights``: z / e of further stresses. Collective."""
+        mid-surface count. ``heights``: z / e of further stresses. Raises PointError for a point outside of the domain. Collective."""
         points = np.atleast_2d(np.asarray(points, dtype=float))
-        return Values(self._solution().values_at(points, [float(z) for z in heights]))
+        if points.ndim != 2 or points.shape[1] not in (2, 3):
+            raise ValueError("points is an array of n x 2 parameters or n x 3 places in space")
+        for point in points[~np.isfinite(points).all(axis=1)]:
+            raise PointError(f"a point at ({', '.join(f'{x:g}' for x in point)}) is not finite")
+        try:
+            return Values(self._solution().values_at(points, [float(z) for z in heights]))
+        except ValueError as error:  # the only one that is left
+            raise PointError(str(error)) from None
 
     def along(self, start: Any, end: Any, points: int = 101, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at equidistant points between two points, as ``at()`` does."""
@@ -267,6 +275,14 @@ class Result(Record):
 
         return verify(self.directory, comm=self._comm)
 
+    def view(self, height: int = 640) -> View:
+        """Returns the interactive view of report.html, which a notebook shows. It adds the whole page to the notebook, often more
+        than 1 MB. ``height``: of the view [pixels]. Collective."""
+        path = self.directory / "report.html"
+        if not path.exists():
+            raise ResultsError("these results have no report.html; solve the case with report=True")
+        return View(path, height)
+
     def _is_first(self) -> bool:
         from . import _solver
 
@@ -281,18 +297,27 @@ class Result(Record):
         return f"<plastron.Result of {self._case!r}: {self.status}>"
 
     def _repr_html_(self) -> str:
-        """The summary and the interactive view in a notebook: the report's own page."""
+        """The summary in a notebook."""
         numbers = "".join(
-            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self.unit(name))}</td></tr>"
+            f"<tr><td>{html.escape(name)}</td><td>{value:.6g}</td><td>{html.escape(self.unit_of(name))}</td></tr>"
             for name, value in _summary(self._data)
         )
-        head = f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"
-        self._complete()
-        report = self._directory / "report.html"
-        if not report.exists():
-            return head
-        page = html.escape(report.read_text(encoding="utf-8"), quote=True)
-        return head + f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:1px solid #ccc"></iframe>'
+        return f"<p><b>{html.escape(self.title or 'Result')}</b>: {html.escape(self.status)}</p><table>{numbers}</table>"
+
+
+class View:
+    """The interactive view of a result in a notebook: the page report.html. ``path`` is its file, for a browser."""
+
+    def __init__(self, path: pathlib.Path, height: int) -> None:
+        self.path, self.height = path, height
+        self._page = path.read_text(encoding="utf-8")  # the file goes with its result
+
+    def __repr__(self) -> str:
+        return f"<plastron.View of {self.path}>"
+
+    def _repr_html_(self) -> str:
+        page = html.escape(self._page, quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;height:{self.height}px;border:1px solid #ccc"></iframe>'
 
 
 def _summary(data: dict[str, Any]) -> Iterator[tuple[str, float]]:

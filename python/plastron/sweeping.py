@@ -8,20 +8,30 @@ import itertools
 import json
 import os
 import pathlib
+import pickle
+import re
 from typing import Any, Iterable, Mapping
 
 from . import _case, toml_text
 from .case import Case, Path
 from .errors import CaseError
+from .progress import bar as progress_bar
 from .result import parsed
 
 REFUSED = "refused"
+
+# What the library says about a key that is wrong for every value. Unknown names are found by _UNKNOWN.
+_WRONG_KEY = re.compile(
+    "is no key of a case file|counted from 0|has no keys in the case|is no list in the case|has several entries|the case has no |"
+    "cannot be added to|is a repeated section|there is no number|which fix does not name"
+)
+_UNKNOWN = re.compile(r'unknown key "([^"]*)"|unknown section \[+([^\]]*)')
 
 
 class Table:
     """The rows of a sweep. ``table["energy"]`` is a column as a list, ``table.rows`` has a dictionary for each case: the values
     of the parameters, then the numbers of the result under the names of history.csv. ``status`` is "refused" for a case that
-    cannot be solved, with the reason under ``error``."""
+    cannot be solved, and the last column, ``error``, has the reason; it is None elsewhere."""
 
     def __init__(
         self,
@@ -34,8 +44,7 @@ class Table:
         self._texts = texts
         self.rows = [{name: parsed(text) for name, text in row.items()} | values for row, values in zip(texts, given)]
         for row, error in zip(self.rows, errors):
-            if error:
-                row["error"] = error
+            row["error"] = error
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -47,6 +56,10 @@ class Table:
 
     @property
     def columns(self) -> list[str]:
+        """The names of the columns: parameters, status, numbers, error."""
+        return [*self._columns_of_file(), "error"]
+
+    def _columns_of_file(self) -> list[str]:
         names = list(self.parameters)
         for row in self._texts:
             names += [name for name in row if name not in names]
@@ -58,8 +71,9 @@ class Table:
         return pandas.DataFrame([{name: row.get(name) for name in self.columns} for row in self.rows])
 
     def to_csv(self, path: Path | None = None) -> str | None:
-        """Writes the table as ``plastron sweep`` does, or returns its text without a path."""
-        lines = [self.columns] + [[row.get(name, "") for name in self.columns] for row in self._texts]
+        """Writes the table as ``plastron sweep`` does, without the column ``error``, or returns its text without a path."""
+        names = self._columns_of_file()
+        lines = [names] + [[row.get(name, "") for name in names] for row in self._texts]
         text = "".join(",".join(_case.csv_cell(cell) for cell in line) + "\n" for line in lines)
         if path is None:
             return text
@@ -96,7 +110,7 @@ def sweep(
     report: whether each of these has a report.html.
     progress: shows the number of finished cases.
 
-    Cases that cannot be solved are rows with the status "refused".
+    Cases that cannot be solved are rows with the status "refused". A key that the case file does not know raises CaseError.
     """
     for key, values in parameters.items():
         if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
@@ -105,7 +119,24 @@ def sweep(
     if pairwise and len({len(values) for values in lists}) > 1:
         raise ValueError(f"with pairwise all parameters have as many values: {[len(values) for values in lists]}")
     settings = [dict(zip(parameters, values)) for values in (zip(*lists) if pairwise else itertools.product(*lists))]
-    return _solve_members(_members(case, settings), list(parameters), executor, workers, directory, report, progress)
+    members = _members(case, settings)
+    for key in parameters:
+        wrong = [member for _, member in members if isinstance(member, CaseError) and _is_of_key(member, key)]
+        if wrong and len(wrong) == len(members):
+            raise wrong[0]
+    return _solve_members(members, list(parameters), executor, workers, directory, report, progress)
+
+
+def _is_of_key(error: CaseError, key: str) -> bool:
+    """Whether an error says that the case cannot have a key, whatever its value is."""
+    names = re.split(r"[.\[]", key)
+    for mistake in error.mistakes:
+        if not mistake["file"].startswith(f"--set {key}="):
+            continue
+        unknown = _UNKNOWN.match(mistake["what"])
+        if (unknown[1] or unknown[2]) in names if unknown else _WRONG_KEY.search(mistake["what"]):
+            return True
+    return False
 
 
 def combine(
@@ -225,13 +256,14 @@ def _solve_members(
             outcomes[i] = (_row(finished), None)
         else:
             waiting.append(i)
-    bar = _bar(len(members), len(members) - len(waiting)) if progress else None
+    bar = progress_bar(total=len(members), initial=len(members) - len(waiting), unit=" cases") if progress else None
     if executor is None and (len(waiting) < 2 or (workers is not None and workers < 2)):
         for i in waiting:
             outcomes[i] = _solve_one(members[i][1].__getstate__(), folders[i], report)
             if bar:
                 bar.update(1)
     else:
+        _refuse_functions_for_processes(members, executor)
         owned = None
         if executor is None:
             owned = executor = concurrent.futures.ProcessPoolExecutor(min(workers or _cores(), len(waiting)))
@@ -252,6 +284,23 @@ def _solve_members(
     for (settings, _), (row, _) in zip(members, outcomes):
         texts.append({name: _text(settings[name]) for name in names} | (row or {"status": REFUSED}))
     return Table([settings for settings, _ in members], names, texts, [error for _, error in outcomes])
+
+
+def _refuse_functions_for_processes(members: list[tuple[dict[str, Any], Any]], executor: Any) -> None:
+    """Raises CaseError for functions that pickle cannot send: lambdas, and functions within functions. An executor that meets them
+    may wait for ever. Other executors than these have threads, or ways of their own."""
+    uses_pickle = executor is None or isinstance(executor, concurrent.futures.ProcessPoolExecutor)
+    if not uses_pickle and not type(executor).__module__.startswith("mpi4py."):
+        return
+    for function in (f for _, member in members if isinstance(member, Case) for f in member._functions.values()):
+        try:
+            pickle.dumps(function)
+        except (pickle.PicklingError, AttributeError, TypeError):
+            raise CaseError(
+                f"error: the function {getattr(function.f, '__qualname__', function.f)} of the case cannot go to another process\n"
+                "   define it with def at the top of a module or of a cell, or solve in this process: workers=1, or "
+                "executor=concurrent.futures.ThreadPoolExecutor()\n"
+            ) from None
 
 
 def _solve_one(state: Any, folder: str | None, report: bool) -> tuple[dict[str, str] | None, str | None]:
@@ -291,9 +340,3 @@ def _text(value: Any) -> str:
 
 def _cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def _bar(total: int, done: int) -> Any:
-    from tqdm.auto import tqdm
-
-    return tqdm(total=total, initial=done, unit=" cases")

@@ -42,19 +42,23 @@ def key(name: str) -> str:
 
 def document(tables: Mapping[str, Any], functions: dict[str, Any] | None = None) -> str:
     """Returns the text of a file: values first, then a section for each table, and for each table of a list."""
-    head = [f"{key(k)} = {value(v, functions)}" for k, v in tables.items() if not _is_section(v)]
+    head = [f"{key(k)} = {value(v, functions)}" for k, v in tables.items() if not is_section(v)]
     parts = ["\n".join(head)] if head else []
     for name, given in tables.items():
-        if not _is_section(given):
-            continue
-        bracket = "[[{}]]" if isinstance(given, (list, tuple)) else "[{}]"
-        for table in given if isinstance(given, (list, tuple)) else [given]:
-            lines = [f"{key(k)} = {value(v, functions)}" for k, v in table.items()]
-            parts.append("\n".join([bracket.format(key(name)), *lines]))
+        if is_section(given):
+            parts += sections(key(name), given, functions)
     return "\n\n".join(parts) + "\n"
 
 
-def _is_section(given: Any) -> bool:
+def sections(name: str, given: Any, functions: dict[str, Any] | None = None) -> list[str]:
+    """Returns the text of a section, or of each section of a list. ``name`` is as it stands in brackets: "geometry.domain"."""
+    header = f"[[{name}]]" if isinstance(given, (list, tuple)) else f"[{name}]"
+    tables = given if isinstance(given, (list, tuple)) else [given]
+    return ["\n".join([header, *(f"{key(k)} = {value(v, functions)}" for k, v in table.items())]) for table in tables]
+
+
+def is_section(given: Any) -> bool:
+    """Whether a value is written as a section, or as a list of sections."""
     return isinstance(given, dict) or (
         isinstance(given, (list, tuple)) and len(given) > 0 and all(isinstance(entry, dict) for entry in given)
     )

@@ -9,8 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import plastron
 import pytest
-from conftest import STRIP
-from plastron import toml_text
+from conftest import STRIP, quiet
+from plastron import toml_edit, toml_text
 from program import PROGRAM, SOURCE, plastron as command, words_of
 
 WRONG_TEXTS = sorted((SOURCE / "tests/config/wrong").glob("*.toml"))
@@ -137,6 +137,190 @@ class TestKeys:
     def test_with_settings_changes_a_copy(self, case):
         other = case.with_settings({"shell.thickness": 0.01, "shell.E": 2})
         assert (other["shell.thickness"], other["shell.E"], case["shell.thickness"]) == (0.01, 2, 0.05)
+
+
+WITH_COMMENTS = STRIP.replace("[[load]]\n", "# the weight\n[[load]]\n# a pressure [N/m^2]\n").replace("-2e-5]", "-2e-5]  # downwards\n# end")
+PRESSURE = {"pressure": 1e-5}
+
+
+def parts_of(value, path=()):
+    """All paths below a value: (path of the owner, last step)."""
+    steps = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for step, entry in steps:
+        yield path, step
+        yield from parts_of(entry, (*path, step))
+
+
+def without_empty(value):
+    if isinstance(value, dict):
+        return {key: entry for key, entry in ((k, without_empty(v)) for k, v in value.items()) if entry not in ({}, [])}
+    return [without_empty(entry) for entry in value] if isinstance(value, list) else value
+
+
+class TestChangedSections:
+    @pytest.fixture
+    def commented(self):
+        return plastron.Case.from_text(WITH_COMMENTS)
+
+    def test_a_list_of_sections_is_extended(self, case):
+        before = case["load"]
+        case["load"] += [PRESSURE]
+        assert case["load"][:1] == before and case["load[1].pressure"] == 1e-5
+        case["load"] += [PRESSURE, PRESSURE]
+        assert len(case["load"]) == 4
+        assert plastron.Case.from_text(case.text).to_dict() == case.to_dict()
+
+    def test_entries_that_stay_keep_their_text(self, commented):
+        commented["load"] += [PRESSURE]
+        assert WITH_COMMENTS.replace("downwards\n", "downwards\n\n[[load]]\npressure = 1e-05\n") == commented.text
+
+    def test_a_list_of_sections_is_replaced_and_the_comments_around_it_stay(self, commented):
+        commented["load"] = [PRESSURE]
+        assert [load["pressure"] for load in commented["load"]] == [1e-5]
+        assert "# the weight\n[[load]]\npressure = 1e-05\n# end\n" in commented.text
+        commented["load"] = [PRESSURE, {"force": np.array([0, 0, -1])}]
+        commented["load"] = commented["load"][1:]
+        assert [load["force"] for load in commented["load"]] == [[0, 0, -1]]
+
+    def test_an_entry_is_replaced(self, case):
+        case["load"] += [PRESSURE]
+        case["load[0]"] = plastron.sections.Load(force=[0, 0, -1])
+        assert (case["load[0].force"], case["load[1].pressure"]) == ([0, 0, -1], 1e-5)
+
+    def test_an_entry_is_removed_and_the_others_move_up(self, commented):
+        commented["load"] += [PRESSURE, {"pressure": 2}]
+        commented["load[1].pressure"] = 3
+        del commented["load[0]"]
+        assert [load["pressure"] for load in commented["load"]] == [3, 2]
+        assert "# the weight" in commented.text and "# end" in commented.text and "downwards" not in commented.text
+        del commented["load"]
+        assert commented["load"] == []
+
+    @pytest.mark.parametrize("value", [[], ()])
+    def test_an_empty_list_removes_all(self, case, value):
+        case["probe"] = value
+        assert case["probe"] == []
+
+    def test_sections_that_are_not_in_the_text_are_added(self, case):
+        case["step"] += [{"parts": 3, "loads": 1}]
+        case["step"] += [{"name": "more", "loads": 2}]
+        case["step[1].move"] = [{"obstacle": "table", "translate": [0, 0, 0.01]}]
+        case["obstacle"] += [{"name": "wall", "half_space": {"point": [2, 0, 0], "normal": [-1, 0, 0]}}]
+        case["step[1].move"] += [{"obstacle": "wall", "translate": [0.02, 0, 0]}]
+        case["model.check"] = False
+        case["output"] = {"precision": "double"}
+        assert [step["name"] for step in case["step"][1:]] == ["more"]
+        assert [move["obstacle"] for move in case["step[1].move"]] == ["table", "wall"]
+        assert (case["model.check"], case["output.precision"]) == (False, "double")
+        del case["step[1].move[0]"]
+        assert [move["obstacle"] for move in case["step[1].move"]] == ["wall"]
+        case["step[0].parts"] = 5
+        case["step"] = [{"parts": 2}]
+        assert case["step[0].parts"] == 2
+
+    def test_a_section_is_replaced_and_removed(self, case):
+        case["mesh"] = {"degree": 3}
+        assert (case["mesh.degree"], case["mesh.refinements"]) == (3, plastron.Case.from_text(STRIP.replace("refinements = 1", ""))["mesh.refinements"])
+        del case["mesh"]
+        case["accuracy"] = {"energy": 1e-2}
+        assert case["accuracy.energy"] == 1e-2
+        case["accuracy.reaction"] = 2e-3
+        del case["accuracy"]
+        assert "accuracy" not in case.text and case["accuracy"] == plastron.Case.from_text(case.text)["accuracy"]
+
+    def test_a_key_is_removed_and_its_default_is_in_force(self, case):
+        default = plastron.Case.from_text(STRIP.replace("refinements = 1", ""))["mesh.refinements"]
+        case["mesh.refinements"] = 2
+        del case["mesh.refinements"]
+        assert case["mesh.refinements"] == default not in (1, 2)
+
+    def test_settings_become_a_part_of_the_text(self, case):
+        case["shell.E"] = 2
+        case["load"] += [PRESSURE]
+        assert (case["shell.E"], case.settings) == (2, ())
+        assert "# --set" not in case.text
+
+    def test_sections_are_replaced_together_with_other_values(self, case):
+        case.update({"mesh.cells": "triangle", "mesh.degree": 2, "load": [PRESSURE], "probe": []})
+        assert (case["mesh.cells"], case["load[0].pressure"], case["probe"]) == ("triangle", 1e-5, [])
+        other = case.with_settings({"load": [{"pressure": 2}]})
+        assert (other["load[0].pressure"], case["load[0].pressure"]) == (2, 1e-5)
+
+    def test_functions_stay_and_are_added(self, case):
+        case["load"] = [{"pressure": lambda x: 1e-5 * x}]
+        case["load"] += [{"pressure": lambda x, y: 1e-5 * y}]
+        del case["probe"]
+        names = [load["pressure"] for load in case["load"]]
+        assert all(name.startswith("python_") for name in names) and len(set(names)) == 2
+        assert not [finding for finding in case.check() if finding.severity == "error"]
+
+    def test_a_case_with_changed_sections_is_solved_and_verified(self, case, tmp_path):
+        case["load"] += [{"pressure": -1e-6}]
+        del case["mesh.refinements"]
+        result = quiet(plastron.solve, case, output=tmp_path / "out")
+        assert result.loads.force[2] < -1e-5 and plastron.verify(tmp_path / "out")
+        assert plastron.load(tmp_path / "out").case.to_dict() == case.to_dict()
+
+    @pytest.mark.parametrize("key", ["load[1]", "nothing", "shell.thicknes", "shell.formulation", "accuracy", "x["])
+    def test_what_the_text_does_not_have_cannot_be_removed(self, case, key):
+        with pytest.raises(KeyError, match=re.escape(key)):
+            del case[key]
+        assert case.text == STRIP
+
+    @pytest.mark.parametrize(
+        "key, value, words",
+        [
+            ("load", [{"pressure": 1, "forc": 1}], ['unknown key "forc" in [[load]]', "allowed: boundary", 'did you mean "force"?']),
+            ("probe[0]", {"name": "a"}, ['[[probe]] has no "at"']),
+            ("load", {"pressure": 1}, ["[load] is a repeated section"]),
+            ("probe[1]", {"name": "a", "at": [0, 0]}, ["probe has 1 entry, counted from 0"]),
+            ("nonsense", [{"a": 1}], ["unknown section [nonsense]"]),
+        ],
+    )
+    def test_bad_sections_are_refused_and_the_case_stays(self, case, key, value, words):
+        text = refusal(case.__setitem__, key, value)
+        assert all(word in text for word in words), text
+        assert (case.text, case.settings) == (STRIP, ())
+
+    def test_what_the_case_needs_cannot_be_removed(self, case):
+        assert '[geometry] has no "domain"' in refusal(case.__delitem__, "geometry.domain")
+        assert case.text == STRIP
+
+    def test_every_part_of_every_case_can_be_removed_from_its_text(self):
+        """The text without a part has the same values as the dictionary without it."""
+        files = sorted((SOURCE / "cases").glob("*/case.toml"))
+        for file in files:
+            text = file.read_text(encoding="utf-8")
+            for owner, step in parts_of(tomllib.loads(text)):
+                expected = tomllib.loads(text)
+                place = expected
+                for name in owner:
+                    place = place[name]
+                del place[step]
+                shorter = toml_edit.removed(text, (*owner, step))
+                assert without_empty(tomllib.loads(shorter)) == without_empty(expected), (file, owner, step)
+
+    @pytest.mark.parametrize(
+        "text, path, expected",
+        [
+            ("a.b = 1\na.c = 2\nd = 3\n", ("a",), "d = 3\n"),
+            ("a = 1 # x\r\nb = 2", ("b",), "a = 1 # x\r\n"),
+            ('"a.b" = """x\n# "" [c]\n"""""\nc = [ # d\n  1, # e\n  2, # f\n]\n', ("a.b",), "c = [ # d\n  1, # e\n  2, # f\n]\n"),
+            ("c = [ # d\n  1, # e\n  2, # f\n]\n", ("c", 1), "c = [ # d\n  1, # e\n  # f\n]\n"),
+            ("c = {a = '{', b = [[1, 2], [3]]}", ("c", "b", 0), "c = {a = '{', b = [[3]]}"),
+            ("c = {a = '{', b = [[1, 2], [3]]}", ("c", "b"), "c = {a = '{'}"),
+            ("[[s]]\n[[s.m]]\na = 1\n[[s]]\n[[s.m]]\na = 2\n[[s.m]]\na = 3\n", ("s", 1, "m", 0), "[[s]]\n[[s.m]]\na = 1\n[[s]]\n[[s.m]]\na = 3\n"),
+            ("[[s]]\n[[s.m]]\na = 1\n[[s]]\n[[s.m]]\na = 2\n", ("s", 0), "[[s]]\n[[s.m]]\na = 2\n"),
+            ("\ufeffa = 1\nb = 2\n", ("b",), "\ufeffa = 1\n"),
+            ("# top\n\n[a]\nb = 1\n\n# c\n[c]\n", ("a",), "# top\n\n# c\n[c]\n"),
+        ],
+    )
+    def test_a_part_is_removed_from_a_text(self, text, path, expected):
+        assert toml_edit.removed(text, path) == expected
+
+    def test_keys_with_dots_are_replaced(self):
+        text = "geometry.domain.disk.radius = 1\ngeometry.chart = [1]\n"
+        assert toml_edit.changed(text, ("geometry", "domain"), {"disk": {}}, {}, {}) == "geometry.domain = { disk = {} }\ngeometry.chart = [1]\n"
 
 
 class TestCopies:

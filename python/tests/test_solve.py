@@ -1,5 +1,7 @@
 """Solving: numbers, statuses, callbacks, interruption, fields, values at points, files."""
 
+import html
+import importlib.util
 import json
 import shutil
 import signal
@@ -55,22 +57,35 @@ class TestNumbers:
             result["energie"]
 
     def test_every_number_has_its_unit(self, result):
-        assert result.unit("energy") == "J"
-        assert result.unit("contact.area") == "m^2"
-        assert result.contact.unit("max_pressure") == "Pa"
-        assert result.contact.edge.unit("force") == "N"
-        assert result.obstacles["table"].unit("area") == "m^2"
-        assert result.obstacles["table"].unit("reaction.force") == "N"
-        assert result.probes.tip.unit("u") == "m"
-        assert result.levels[0].unit("unknowns") == "1"
-        assert result.levels[0].seconds.unit("total") == "s"
+        assert result.unit_of("energy") == "J"
+        assert result.unit_of("contact.area") == "m^2"
+        assert result.contact.unit_of("max_pressure") == "Pa"
+        assert result.contact.edge.unit_of("force") == "N"
+        assert result.obstacles["table"].unit_of("area") == "m^2"
+        assert result.obstacles["table"].unit_of("reaction.force") == "N"
+        assert result.probes.tip.unit_of("u") == "m"
+        assert result.levels[0].unit_of("unknowns") == "1"
+        assert result.levels[0].seconds.unit_of("total") == "s"
         with pytest.raises(KeyError, match="status has no unit"):
-            result.unit("status")
+            result.unit_of("status")
+
+    def test_the_unit_of_a_part_is_a_text(self, result):
+        assert result.estimates.goals["energy"].unit == "J"
+        assert result.linearity.quantities["energy"].unit == "J"
+        assert (result.certificate_limits.min_gap_nodes.unit, result.certificate_limits.min_pressure.unit) == ("m", "Pa")
+
+    def test_no_entry_of_a_part_has_the_name_of_a_method(self, result):
+        def names(value):
+            entries = value.values() if isinstance(value, dict) else value if isinstance(value, list) else []
+            return set(value if isinstance(value, dict) else ()).union(*map(names, entries))
+
+        methods = {name for name in dir(plastron.Record) if not name.startswith("__")}
+        assert not names(result.to_dict()) & methods
 
     def test_units_have_the_names_that_the_case_gives(self, case):
         case["units.length"] = "mm"
         other = quiet(plastron.solve, case)
-        assert other.unit("energy") == "mJ"
+        assert other.unit_of("energy") == "mJ"
         assert other.fields.units["displacement"] == "mm"
         assert other.at([[0, 0]]).units["eta"] == "MPa"
 
@@ -83,7 +98,7 @@ class TestNumbers:
 
     def test_attributes_are_listed(self, result):
         assert {"energy", "contact", "fields"} <= set(dir(result))
-        assert {"area", "unit"} <= set(dir(result.contact))
+        assert {"area", "unit_of"} <= set(dir(result.contact))
 
     def test_a_record_is_printed_with_its_numbers(self, result):
         assert f"area: {result.contact.area!r}" in repr(result.contact)
@@ -435,8 +450,16 @@ class TestValues:
         np.testing.assert_allclose(values[name][0], middle + 0.5 * (upper - middle), rtol=1e-9)
 
     def test_a_point_outside_of_the_domain_is_refused(self, result):
-        with pytest.raises(ValueError, match=r"\(5, 5\) lies outside of the domain"):
+        with pytest.raises(plastron.PointError, match=r"\(5, 5\) lies outside of the domain"):
             result.at([[5, 5]])
+        with pytest.raises(plastron.PointError, match="lies outside of the domain"):
+            result.along([0, 0], [2, 0])
+        assert issubclass(plastron.PointError, plastron.PlastronError) and issubclass(plastron.PointError, ValueError)
+
+    @pytest.mark.parametrize("point", [[np.nan, 0], [0, 0, np.inf]])
+    def test_a_point_that_is_not_finite_is_refused(self, result, point):
+        with pytest.raises(plastron.PointError, match="is not finite"):
+            result.at([[0.5, 0.2, 0][: len(point)], point])
 
     @pytest.mark.parametrize("points", [[1, 2, 3, 4], [[1]], [[[0, 0]]], 3])
     def test_other_shapes_are_refused(self, result, points):
@@ -518,14 +541,14 @@ class TestFiles:
         np.testing.assert_allclose(loaded.fields["u"], result.fields["u"], atol=1e-15)
         np.testing.assert_allclose(loaded.at([[0.5, 0.2]])["u"], result.at([[0.5, 0.2]])["u"], atol=1e-15)
         assert loaded.case.to_dict() == result.case.to_dict()
-        assert loaded.unit("energy") == "J"
+        assert loaded.unit_of("energy") == "J"
 
     def test_loaded_results_can_be_saved_shown_and_verified(self, saved, tmp_path):
         loaded = plastron.load(str(saved))
         target = loaded.save(tmp_path / "again")
         assert sorted(p.name for p in target.iterdir()) == sorted(p.name for p in saved.iterdir())
         assert loaded.verify()
-        assert "<iframe" in loaded._repr_html_()
+        assert "<iframe" in loaded.view()._repr_html_()
 
     def test_results_of_a_case_with_changed_keys_are_loaded_with_them(self, case, tmp_path):
         case["shell.thickness"] = 0.04
@@ -542,6 +565,14 @@ class TestFiles:
         paths = {path: (recomputed, claimed, agrees) for path, recomputed, claimed, _, agrees in verification.numbers}
         assert all(agrees for _, _, agrees in paths.values()) and len(paths) > 10
         assert any("energy" in path for path in paths)
+
+    def test_the_rows_of_a_verification_have_the_units_of_the_case(self, case, tmp_path):
+        case["units.length"] = "mm"
+        result = quiet(plastron.solve, case, output=tmp_path / "out")
+        verification = result.verify()
+        units = {row: unit for row, _, _, _, unit, _ in verification.rows}
+        assert (units["min_gap_nodes"], units["min_pressure"], units["complementarity"], units["force_balance"]) == ("mm", "MPa", "MPa mm", "1")
+        assert all(units[row] == limit["unit"] for row, limit in result.certificate_limits.to_dict().items())
 
     def test_a_saved_result_passes_the_program(self, saved, tmp_path):
         outcome = command("verify", saved, directory=tmp_path)
@@ -584,7 +615,9 @@ class TestFiles:
     def test_without_a_report_there_is_none(self, case, tmp_path):
         solved = quiet(plastron.solve, case, output=tmp_path / "out", report=False)
         assert not (tmp_path / "out/report.html").exists()
-        assert "<table>" in solved._repr_html_() and "<iframe" not in solved._repr_html_()
+        assert "<table>" in solved._repr_html_()
+        with pytest.raises(plastron.ResultsError, match="no report.html; solve the case with report=True"):
+            solved.view()
 
     def test_a_folder_that_cannot_be_written_is_an_error(self, case, tmp_path):
         (tmp_path / "file").write_text("mine")
@@ -609,7 +642,7 @@ class TestFiles:
 
 
 class TestNotebook:
-    def test_the_page_has_the_numbers_with_units_and_the_report(self, result):
+    def test_the_summary_has_the_numbers_with_units(self, result):
         page = result._repr_html_()
         assert "A strip pressed on a table" in page and "solved" in page
         for name, value, unit in (
@@ -619,7 +652,45 @@ class TestNotebook:
             ("stress.max_von_mises", result.stress.max_von_mises, "Pa"),
         ):
             assert f"{name}</td><td>{value:.6g}</td><td>{unit}</td>" in page, name
-        assert '<iframe srcdoc="&lt;!doctype html&gt;' in page
+
+    def test_the_summary_is_small_and_writes_no_files(self, case):
+        solved = quiet(plastron.solve, case)
+        assert len(solved._repr_html_()) < 2000
+        assert not (solved._directory / "results.json").exists()
+
+    def test_the_view_is_the_report(self, case):
+        solved = quiet(plastron.solve, case)
+        view = solved.view(height=400)
+        report = view.path.read_text(encoding="utf-8")
+        assert view.path == solved.directory / "report.html" and "report.html" in repr(view)
+        del solved
+        page = view._repr_html_()  # also when the files are gone
+        assert page.startswith('<iframe srcdoc="&lt;!doctype html&gt;') and "height:400px" in page
+        assert html.unescape(page.split('"')[1]) == report
+
+    @pytest.mark.skipif(importlib.util.find_spec("ipywidgets") is not None, reason="ipywidgets are installed")
+    @pytest.mark.parametrize("call", ["plastron.solve(case, progress=True)", 'plastron.sweep(case, {"shell.E": [1, 2]}, progress=True, workers=1)'])
+    def test_without_ipywidgets_a_bar_is_text_without_a_warning(self, call, tmp_path):
+        pytest.importorskip("tqdm")
+        answer = python(
+            f"""
+import io, sys, types, warnings
+import plastron
+sys.modules["ipykernel"] = types.ModuleType("ipykernel")
+module = types.ModuleType("IPython")  # as in a kernel
+module.get_ipython = lambda: types.SimpleNamespace(config={{"IPKernelApp": {{}}}})
+sys.modules["IPython"] = module
+sys.stderr = io.StringIO()
+case = plastron.Case.from_text({STRIP!r})
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    {call}
+assert all(w.category is plastron.PlastronWarning for w in caught), caught
+print(repr(sys.stderr.getvalue()))
+""",
+            tmp_path,
+        )
+        assert "2 done" in answer or "2/2" in answer, answer
 
     def test_titles_are_quoted(self, case):
         case["title"] = "<script>alert(1)</script>"

@@ -3,9 +3,10 @@
 import concurrent.futures
 import csv
 import io
+import re
+import sys
 
 import numpy as np
-import sys
 import plastron
 import pytest
 from conftest import STRIP, quiet
@@ -64,7 +65,40 @@ class TestSweep:
         assert table.rows[1]["error"].startswith("--set shell.thickness=-1: error: thickness is -1, out of range")
         assert "must be positive" in table.rows[2]["error"]
         assert table["energy"][0] > 0 and table["energy"][1:] == [None, None]
-        assert "error" not in table.rows[0]
+        assert table.columns[-1] == "error" and table["error"] == [None, *(row["error"] for row in table.rows[1:])]
+        assert list(table.to_dataframe()["error"])[1] == table.rows[1]["error"]
+
+    @pytest.mark.parametrize(
+        "key, words",
+        [
+            ("shell.thicknes", 'unknown key "thicknes" in [shell]\n   allowed: E, nu, .*\n   did you mean "thickness"?'),
+            ("shel.thickness", "unknown section [shel]"),
+            ("load[0].forc", 'unknown key "forc" in [[load]]'),
+            ("geometry.domain.dsk.radius", 'unknown key "dsk" in domain'),
+            ("load[3].force", "load has 1 entry, counted from 0"),
+            ("load.force", "load has several entries"),
+            ("line[0].points", "the case has no line"),
+            ("shell.E.x", "shell.E has no keys in the case"),
+            ("accuracy.energie", 'there is no number "energie"'),
+            ("a b", '"a b" is no key of a case file'),
+        ],
+    )
+    def test_a_key_that_no_case_has_is_an_error_at_once(self, case, key, words, tmp_path):
+        with pytest.raises(plastron.CaseError, match=re.escape(words).replace(re.escape(".*"), ".*")) as caught:
+            plastron.sweep(case, {"shell.E": [1, -1], key: [0.01, 0.02]}, workers=1, directory=tmp_path / "out")
+        assert str(caught.value).startswith(f"--set {key}=0.01: error: ") or "--set shell.E" in str(caught.value)
+        assert not (tmp_path / "out").exists()
+
+    @pytest.mark.parametrize(
+        "key, value",
+        [("shell.thickness", "thicknes"), ("obstacle[0].half_space", {"pont": [0, 0, 0]}), ("load", [{"forc": 1}]), ("load", 3), ("mesh.cells", "quad")],
+    )
+    def test_a_bad_value_of_a_good_key_is_a_row(self, case, key, value):
+        assert plastron.sweep(case, {key: [value]}, workers=1)["status"] == ["refused"]
+
+    def test_sections_may_be_swept(self, case):
+        table = plastron.sweep(case, {"load": [case["load"], case["load"] + [{"force": [0, 0, -1e-5]}]], "load[0].force": [[0, 0, -1e-5]]}, workers=1)
+        np.testing.assert_allclose(table["loads.force_z"], [-0.5e-5, -1e-5])
 
     def test_cases_that_do_not_converge_are_rows_with_their_status(self, case):
         table = plastron.sweep(case, {"solver.max_iterations": [1, 200]}, workers=1)
@@ -82,7 +116,7 @@ class TestTable:
 
     def test_columns_are_lists_and_rows_dictionaries(self, table):
         assert len(table) == 2 and table.parameters == ["shell.thickness"]
-        assert table.columns[:2] == ["shell.thickness", "status"]
+        assert table.columns[:2] == ["shell.thickness", "status"] and table["error"] == [None, None]
         assert table["energy"] == [row["energy"] for row in table.rows]
         with pytest.raises(KeyError, match="'energie': there is no such column; the first are shell.thickness, status"):
             table["energie"]
@@ -386,7 +420,31 @@ class TestLoads:
 LIMIT = 0.04
 
 
+def surface(x, y):
+    return x, y, 0.05 + 0.01 * x * y
+
+
 class TestFunctionsInSweeps:
+    def solved_by(self, case, **options):
+        return plastron.sweep(case, {"shell.nu": [0.3, 0.2]}, **options)["energy"]
+
+    def test_a_function_that_cannot_go_to_a_process_is_an_error_with_advice(self, case):
+        case["shell.thickness"] = lambda x: 0.05 + 0 * x
+        words = "the function .*<lambda> of the case cannot go to another process\n   define it with def at the top of a module .*workers=1"
+        with pytest.raises(plastron.CaseError, match=words) as caught:
+            self.solved_by(case, workers=2)
+        assert caught.value.__suppress_context__
+        with concurrent.futures.ProcessPoolExecutor(2) as executor:
+            with pytest.raises(plastron.CaseError, match=words):
+                self.solved_by(case, executor=executor)
+        with concurrent.futures.ThreadPoolExecutor(2) as executor:
+            alone = self.solved_by(case, workers=1)
+            assert self.solved_by(case, executor=executor) == alone
+
+    def test_components_go_to_processes(self, case):
+        case["geometry.chart"] = plastron.components(surface)
+        assert self.solved_by(case, workers=2) == self.solved_by(case, workers=1)
+
     def test_a_function_whose_global_has_changed_is_solved_again(self, case, tmp_path, monkeypatch):
         case["shell.thickness"] = lambda x: LIMIT + 0 * x
         first = plastron.sweep(case, {"shell.nu": [0.3]}, directory=tmp_path, workers=1)["energy"]

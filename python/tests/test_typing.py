@@ -32,7 +32,7 @@ def told(number: int, record: plastron.Record) -> None:
 
 result: plastron.Result = plastron.solve(case, progress=True, on_mesh=told, comm="self", output="out")
 solved: bool = result.is_solved
-unit: str = result.unit("energy")
+unit: str = result.unit_of("energy")
 u: "np.ndarray[Any, Any]" = result.fields["u"]
 v: "np.ndarray[Any, Any]" = result.at([[0, 0]], heights=[0.25])["u"]
 row: Dict[str, Any] = result.row()
