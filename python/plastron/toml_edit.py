@@ -58,8 +58,9 @@ class _Scanner:
     def _names(self) -> list[str]:
         names, goes_on = [], "."
         while goes_on:
-            name, goes_on = _NAME.match(self.text, self.at).groups()  # type: ignore[union-attr]
-            self.at += len(_NAME.match(self.text, self.at)[0])  # type: ignore[index]
+            match: Any = _NAME.match(self.text, self.at)
+            name, goes_on = match.groups()
+            self.at = match.end()
             names.append(name[1:-1] if name[0] in "\"'" else name)
         return names
 
@@ -109,7 +110,8 @@ class _Scanner:
 
 def is_section(text: str, path: Path) -> bool:
     """Whether a path is a section of the text, a list of sections, or has keys with dots."""
-    return any(part.kind != "entry" and (part.kind == "header" or part.path != path) for part in _below(_Scanner(text).scan(), path))
+    below = _below(_Scanner(text).scan(), path)
+    return any(part.kind == "header" or (part.kind == "line" and part.path != path) for part in below)
 
 
 def removed(text: str, path: Path) -> str | None:

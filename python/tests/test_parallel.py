@@ -78,7 +78,7 @@ warnings.simplefilter("ignore")
 world = MPI.COMM_WORLD
 result = plastron.solve(plastron.Case.from_text({STRIP!r}), comm=world)
 outcome = []
-for action in (lambda: result.directory, lambda: result.verify(), lambda: result.save("out"), lambda: "iframe" in result._repr_html_()):
+for action in (lambda: result.directory, lambda: result.verify(), lambda: result.save("out"), lambda: "iframe" in result.view()._repr_html_()):
     try:
         outcome.append(str(action()))
     except Exception as error:

@@ -91,13 +91,15 @@ class TestSweep:
 
     @pytest.mark.parametrize(
         "key, value",
-        [("shell.thickness", "thicknes"), ("obstacle[0].half_space", {"pont": [0, 0, 0]}), ("load", [{"forc": 1}]), ("load", 3), ("mesh.cells", "quad")],
+        [("shell.thickness", "thicknes"), ("obstacle[0].half_space", {"pont": [0, 0, 0]}), ("load", [{"forc": 1}]), ("load", 3),
+         ("mesh.cells", "quad")],
     )
     def test_a_bad_value_of_a_good_key_is_a_row(self, case, key, value):
         assert plastron.sweep(case, {key: [value]}, workers=1)["status"] == ["refused"]
 
     def test_sections_may_be_swept(self, case):
-        table = plastron.sweep(case, {"load": [case["load"], case["load"] + [{"force": [0, 0, -1e-5]}]], "load[0].force": [[0, 0, -1e-5]]}, workers=1)
+        loads = [case["load"], case["load"] + [{"force": [0, 0, -1e-5]}]]
+        table = plastron.sweep(case, {"load": loads, "load[0].force": [[0, 0, -1e-5]]}, workers=1)
         np.testing.assert_allclose(table["loads.force_z"], [-0.5e-5, -1e-5])
 
     def test_cases_that_do_not_converge_are_rows_with_their_status(self, case):
