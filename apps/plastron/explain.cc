@@ -239,7 +239,7 @@ const std::vector<Limit>& limits() {
        "`linearity.status`, `unstable` beyond the buckling load; `linearity.buckling`, the membrane forces over the "
        "forces under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
        "computes buckling loads and their shapes; with finite rotations `stability.margin`",
-       "`rotations = \"finite\"`; imperfections go into the formulas of the chart"},
+       "`rotations = \"finite\"`; `[[imperfection]]` for shells that are not perfect"},
       {"plasticity",
        {"yield", "yielding"},
        "The law is linear and elastic: no yielding, no rubber, no creep, no damage.",

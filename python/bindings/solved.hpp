@@ -25,6 +25,9 @@ class Solved final : public Releasable {
 
   void release() override;
 
+  const config::Case& read_case() const { return case_; }
+  const computation::Result& result() const;
+
   std::string status() const { return std::string(contact::to_string(result().status)); }
   std::string status_text() const;
   /// Returns the text of results.json.
@@ -41,7 +44,6 @@ class Solved final : public Releasable {
                      const std::vector<double>& heights) const;
 
  private:
-  const computation::Result& result() const;
   const computation::Solution& solution() const;
 
   config::Case case_;

@@ -5,6 +5,7 @@
 #include "solved.hpp"
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/computation/sensitivity.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/workflow/output_directory.hpp>
 #include <plastron/workflow/read.hpp>
@@ -207,6 +208,21 @@ py::tuple solve(const CaseText& given, const std::string& directory, bool is_tem
   return py::make_tuple(std::move(solved), caller.is_interrupted(), shared.string());
 }
 
+/// Returns the texts of results.json for changed cases, next to a solution with its contact held.
+std::vector<std::string> results_near(const Solved& solved, const std::vector<CaseText>& changed,
+                                      const py::object& comm) {
+  const MPI_Comm all = communicator(comm);
+  return computing([&] {
+    const computation::Sensitivity sensitivity(solved.read_case().problem, solved.result());
+    std::vector<std::string> texts;
+    for (const CaseText& given : changed) {
+      const config::Case c = given.read(all);
+      texts.push_back(io::results_json(sensitivity.at(c.problem), workflow::provenance_of(c, {})).dump());
+    }
+    return texts;
+  });
+}
+
 /// Returns the judgement as a dictionary with JSON texts, with the names of the case's units.
 py::dict verdict_of(const workflow::Judgement& judgement) {
   const problem::UnitNames units =
@@ -278,6 +294,7 @@ PYBIND11_MODULE(_solver, module) {
   module.def("end_session", &end_session);
   module.def("check", &check);
   module.def("solve", &solve);
+  module.def("results_near", &results_near);
   module.def("verify", &verify);
   module.def("load", &load);
   py::module_::import("atexit").attr("register")(module.attr("end_session"));

@@ -22,7 +22,7 @@ _LAZY = {
     "components": "functions",
     "sweep": "sweeping",
     "combine": "sweeping",
-    "derivatives": "sweeping",
+    "differences": "sweeping",
     "Table": "sweeping",
     "sections": "sections",
 }

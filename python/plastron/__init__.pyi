@@ -16,7 +16,7 @@ from .solving import solve as solve
 from .solving import verify as verify
 from .sweeping import Table as Table
 from .sweeping import combine as combine
-from .sweeping import derivatives as derivatives
+from .sweeping import differences as differences
 from .sweeping import sweep as sweep
 from . import sections as sections
 

@@ -86,7 +86,7 @@ class Function:
         Without it differences of order 6 of the first derivatives are taken; their error is about (step / scale)^6 of the
         function, plus rounding.
     scale: a length over which the function changes much [the unit of its arguments]; default: the range of the places at which
-        it was called so far. Give it for a shell that is small and far from the origin.
+        it was called so far, which holds the shell. Give it for a shell that is small and far from the origin.
     step: step of these differences; default 1e-3 ``scale``.
 
     A plain function is taken as Function(f). Files of such a case name the function but do not contain it, so that
@@ -114,10 +114,10 @@ class Function:
 
     def evaluate(self, places: Any, first: int, count: int) -> Any:
         """Returns the derivatives first, ..., first + count - 1 at places, as the library numbers them."""
-        if first == 0 and count == 1:
-            return self._values(self.f, places)
         self._lowest = np.minimum(self._lowest, places.min(axis=0))
         self._highest = np.maximum(self._highest, places.max(axis=0))
+        if first == 0 and count == 1:
+            return self._values(self.f, places)
         if self.gradient is not None:
             return np.array([self._with_gradient(places, number) for number in range(first, first + count)])
         return self._by_stencil(places, range(first, first + count))

@@ -269,6 +269,32 @@ class Result(Record):
         _solver.barrier(self._comm)
         return target
 
+    def derivatives(self, keys: Iterable[str], step: float = 1e-3) -> dict[str, dict[str, tuple[float, float]]]:
+        """Returns the derivatives of all numbers by numbers of the case: ``d = result.derivatives(["shell.thickness"])``, then
+        ``d["shell.thickness"]["energy"]`` is (derivative, estimate of its error). Collective.
+
+        The mesh and the nodes in contact are held. The tangent of the solution is factorised once. For each key it gives four
+        solutions with values that differ by ``step`` and 2 ``step``, relative to the value of the key, in a few Newton steps.
+        Their differences are extrapolated, and the estimate is the difference of both. So many keys cost about as much as one
+        solution.
+
+        These are derivatives of the discrete solution. The estimate does not hold the error of the mesh, and with contact that is
+        larger than the error of the numbers themselves: the edge of a contact zone moves with the case, and here it stays between
+        the same nodes. On a bowl on a table of 1 700 to 103 000 unknowns, derivatives of force and energy scatter by 5 to 1 %.
+        Contact areas do not change at all.
+
+        Raises CaseError for the mixed formulation, pressed obstacles, control, curved obstacles with small rotations, loaded
+        results, and keys that change the domain: plastron.differences() works there, too.
+        """
+        from . import _solver
+
+        keys = list(keys)
+        numbers = numbers_of(self._case, keys)
+        changed = [self._case.with_settings({key: value})._native() for key, value in steps_of(keys, numbers, step)]
+        texts = _solver.results_near(self._solution(), changed, self._comm)
+        rows = [{name: parsed(text) for name, text in _case.result_row(results)} for results in texts]
+        return derivatives_of(keys, numbers, rows, step)
+
     def verify(self) -> Verification:
         """Computes the certificate again from the files, and returns the Verification. Collective."""
         from .solving import verify
@@ -318,6 +344,42 @@ class View:
     def _repr_html_(self) -> str:
         page = html.escape(self._page, quote=True)
         return f'<iframe srcdoc="{page}" style="width:100%;height:{self.height}px;border:1px solid #ccc"></iframe>'
+
+
+def numbers_of(case: Case, keys: Iterable[str]) -> list[float]:
+    """Returns the values of keys by which derivatives are taken."""
+    values = []
+    for key in keys:
+        value = case[key]
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or value == 0:
+            raise ValueError(f"{key} is {value!r}; derivatives are taken by numbers that are not 0")
+        values.append(float(value))
+    return values
+
+
+def steps_of(keys: list[str], numbers: list[float], step: float) -> Iterator[tuple[str, float]]:
+    """Returns the four values of each key that derivatives_of() needs."""
+    for key, value in zip(keys, numbers):
+        for k in (1, -1, 2, -2):
+            yield key, value * (1 + k * step)
+
+
+def derivatives_of(
+    keys: list[str], numbers: list[float], rows: list[dict[str, Any]], step: float
+) -> dict[str, dict[str, tuple[float, float]]]:
+    """Returns the derivatives by each key and the estimates of their errors, from the rows of steps_of()."""
+    result: dict[str, dict[str, tuple[float, float]]] = {}
+    for i, (key, number) in enumerate(zip(keys, numbers)):
+        h = number * step
+        result[key] = {}
+        for name, first in rows[4 * i].items():
+            if name.startswith("certificate."):
+                continue  # rounding errors
+            values: list[Any] = [row.get(name) for row in rows[4 * i : 4 * i + 4]]
+            if isinstance(first, float) and all(isinstance(v, float) for v in values):
+                near, far = (values[0] - values[1]) / (2 * h), (values[2] - values[3]) / (4 * h)
+                result[key][name] = ((4 * near - far) / 3, abs(near - far))
+    return result
 
 
 def _summary(data: dict[str, Any]) -> Iterator[tuple[str, float]]:

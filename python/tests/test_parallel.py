@@ -41,6 +41,27 @@ if comm.rank == 0:
     assert command("verify", "out", directory=tmp_path).returncode == 0
 
 
+def test_derivatives_on_two_ranks_are_those_of_one(tmp_path):
+    keys = ["shell.E", "shell.thickness", "load[0].force[2]"]
+    alone = quiet(plastron.Case.from_text(STRIP).solve, report=False).derivatives(keys)
+    answer = python(
+        f"""
+import json, plastron, warnings
+warnings.simplefilter("ignore")
+result = plastron.solve(plastron.Case.from_text({STRIP!r}), report=False)
+by = result.derivatives({keys!r})
+if result._is_first():
+    print(json.dumps({{key: [by[key]["energy"], by[key]["reaction.force_z"]] for key in by}}))
+""",
+        tmp_path,
+        ranks=2,
+    )
+    for key, values in json.loads(answer).items():
+        for (value, error), name in zip(values, ["energy", "reaction.force_z"]):
+            expected, other = alone[key][name]
+            assert value == pytest.approx(expected, rel=1e-8, abs=10 * (error + other))
+
+
 @pytest.mark.slow
 def test_the_program_on_three_ranks_has_the_same_numbers(tmp_path, strip_file):
     """Sums over ranks differ in the last digits from run to run, also in the program."""

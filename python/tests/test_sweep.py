@@ -393,17 +393,95 @@ class TestCombinations:
             plastron.combine(case, {"a": {name: 1}})
 
 
-class TestDerivatives:
-    def test_energy_without_contact_is_inverse_to_the_modulus(self, case):
-        free = plastron.Case.from_text(case.text.split("[[obstacle]]")[0])
-        energy = free.solve(report=False).energy
-        value, error = plastron.derivatives(free, ["shell.E"], workers=1)["shell.E"]["energy"]
+FREE = STRIP.split("[[obstacle]]")[0]
+MOVED = STRIP + """
+[[step]]
+loads = 0.5
+[[step]]
+loads = 1
+move = [ { obstacle = "table", translate = [0, 0, 0.01] } ]
+"""
+BALL = STRIP.replace("half_space = { point = [0, 0, 0], normal = [0, 0, 1] }", "ball = { centre = [0.7, 0.2, -1], radius = 1 }")
+
+
+def finite(text):
+    return text.replace("nu = 0.3", 'nu = 0.3\nrotations = "finite"')
+
+
+class TestDifferences:
+    def test_energy_without_contact_is_inverse_to_the_modulus(self):
+        free = plastron.Case.from_text(FREE)
+        energy = quiet(free.solve, report=False).energy
+        value, error = plastron.differences(free, ["shell.E"], workers=1)["shell.E"]["energy"]
         assert value == pytest.approx(-energy / free["shell.E"], rel=1e-8)
         assert error < 1e-4 * abs(value)
 
     def test_a_key_that_is_no_number_is_refused(self, case):
         with pytest.raises(ValueError, match="numbers that are not 0"):
-            plastron.derivatives(case, ["shell.formulation"])
+            plastron.differences(case, ["shell.formulation"])
+
+
+def with_chart(text):
+    """A case whose mid-surface has a constant."""
+    return text.replace('["x", "y", 0.05]', '["x", "y", "0.03 + h + y^2/(2*R)"]') + "\n[constants]\nh = 0.02\nR = 3\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        pytest.param(STRIP, id="small"),
+        pytest.param(finite(STRIP), id="finite"),
+        pytest.param(finite(BALL), id="ball"),
+        pytest.param(STRIP.replace("nu = 0.3", 'nu = 0.3\nformulation = "penalised"'), id="penalised"),
+        pytest.param(STRIP.replace("nu = 0.3", 'nu = 0.3\nformulation = "classical"'), id="classical"),
+        pytest.param(STRIP.replace("degree = 2", 'degree = 2\ncells = "triangle"'), id="triangles"),
+        pytest.param(finite(MOVED), id="steps"),
+    ],
+)
+def test_derivatives_with_held_contact_are_those_of_the_solutions(text):
+    case = plastron.Case.from_text(with_chart(text))
+    keys = ["shell.E", "shell.nu", "shell.thickness", "constants.h", "constants.R", "load[0].force[2]"]
+    result = quiet(case.solve, report=False)
+    held = result.derivatives(keys)
+    solved = quiet(plastron.differences, case, keys, workers=1)
+    for key in keys:
+        for name in ["energy", "load_work", "reaction.force_z", "reaction.moment_y", "probes.tip.u_z", "probes.tip.M_11"]:
+            value, error = held[key][name]
+            other, other_error = solved[key][name]
+            scale = abs(result.energy / case[key]) if name == "energy" else abs(other)
+            assert value == pytest.approx(other, rel=1e-5, abs=1e-7 * scale + error + other_error), (key, name)
+
+
+class TestDerivatives:
+    def test_the_place_of_an_obstacle_changes_the_energy_by_its_force(self):
+        """dE = F ds for a shell that only the table loads."""
+        sloping = STRIP.replace("-2e-5", "0").replace('["x", "y", 0.05]', '["x", "y", "0.05 - 0.03*x"]')
+        case = plastron.Case.from_text(sloping.replace("point = [0, 0, 0]", "point = [0, 0, 0.005]"))
+        result = quiet(case.solve, report=False)
+        value, _ = result.derivatives(["obstacle[0].half_space.point[2]"])["obstacle[0].half_space.point[2]"]["energy"]
+        assert value == pytest.approx(result.obstacles["table"].force[2], rel=1e-7)
+
+    @pytest.mark.parametrize(
+        "change, words",
+        [
+            (("nu = 0.3", 'nu = 0.3\nformulation = "mixed"'), "mixed formulation"),
+            (("half_space = { point = [0, 0, 0], normal = [0, 0, 1] }", "ball = { centre = [0.7, 0.2, -1], radius = 1 }"), "curved"),
+        ],
+    )
+    def test_where_they_are_not_defined_one_sentence_says_so(self, change, words):
+        result = quiet(plastron.Case.from_text(STRIP.replace(*change)).solve, report=False)
+        with pytest.raises(plastron.CaseError, match=f"{words}.*; use differences"):
+            result.derivatives(["shell.E"])
+
+    def test_the_domain_must_stay(self):
+        case = plastron.Case.from_text(STRIP.split("[[probe]]")[0])
+        with pytest.raises(plastron.CaseError, match="where the domain changes; use differences"):
+            quiet(case.solve, report=False).derivatives(["geometry.domain.rectangle.to[0]"])
+
+    def test_a_loaded_result_has_none(self, case, tmp_path):
+        quiet(case.solve, report=False).save(tmp_path)
+        with pytest.raises(plastron.CaseError, match="loaded; use differences"):
+            plastron.load(tmp_path).derivatives(["shell.E"])
 
 
 class TestLoads:

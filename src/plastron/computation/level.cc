@@ -144,7 +144,8 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.lift_rounds = lifted.rounds;
   record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
   record.seconds = run.seconds;
-  Solution solution{.discrete = run.take(), .nodal = std::move(nodal), .entered = std::move(verdict.entered)};
+  Solution solution{
+      .discrete = run.take(), .nodal = std::move(nodal), .box = std::move(z), .entered = std::move(verdict.entered)};
   if (estimates) solution.cell_errors = estimates->cells;
   return {std::move(record), std::move(solution), std::move(verdict), std::move(estimates), std::move(values)};
 }

@@ -96,6 +96,7 @@ struct Mode {
 struct Solution {
   std::unique_ptr<assembly::DiscreteShell> discrete;
   solution::NodalSolution nodal;
+  contact::BoxSolution box{};   ///< the solution in coordinates, with small rotations
   recovery::Choice recovery{};  ///< choice of the fields; see choose_recovery()
   /// Estimated squared error in the energy norm of each owned cell [J]; empty if not requested.
   std::vector<double> cell_errors{};

@@ -44,6 +44,23 @@ FinestMesh finest_mesh(const problem::Problem& problem, MPI_Comm comm, const Mes
           .surface = std::make_shared<const fem::Surface>(meshes.space()->coarse, problem.charts)};
 }
 
+Result measured_result(const problem::Problem& problem, Solution found) {
+  const certificate::Verdict verdict = certificate::certify(*found.discrete, found.nodal);
+  Result result{.summary = verdict.summary,
+                .certificate = verdict.certificate,
+                .levels = {measured(*found.discrete, found.nodal, verdict)},
+                .has_obstacle = !problem.shell.obstacles.empty(),
+                .formulation = problem.shell.tangency.formulation,
+                .rotations = problem.shell.rotations};
+  MPI_Comm_size(found.discrete->space().layout->comm, &result.ranks);
+  take_moments_about(problem.output.moment_point, result.summary);
+  choose_recovery(problem.output, found);
+  result.probes = probe(found, problem.probes);
+  result.solution = std::move(found);
+  find_stress_peak(result);
+  return result;
+}
+
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
   const problem::Instant last = problem::instants(problem).back();
   solution.state.force_factors = last.force_factors;
@@ -53,23 +70,12 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
   std::vector<double> ways;
   for (const std::size_t k : pressed_obstacles(*found.discrete)) ways.push_back(solution.ways.at(k));
   press(*found.discrete, ways);
-  const certificate::Verdict verdict = certificate::certify(*found.discrete, found.nodal);
-  Verification verification{.result = {.summary = verdict.summary,
-                                       .certificate = verdict.certificate,
-                                       .levels = {measured(*found.discrete, found.nodal, verdict)},
-                                       .has_obstacle = !problem.shell.obstacles.empty(),
-                                       .formulation = problem.shell.tangency.formulation,
-                                       .rotations = problem.shell.rotations}};
+  Verification verification{.result = measured_result(problem, std::move(found))};
   Result& result = verification.result;
-  take_moments_about(problem.output.moment_point, result.summary);
-  MPI_Comm_size(mesh.space->layout->comm, &result.ranks);
   judge_certificate(result);
-  examine_stability(result, found);
-  verification.membership = membership_rows(problem, *found.discrete, found.nodal, verdict.summary);
-  choose_recovery(problem.output, found);
-  result.probes = probe(found, problem.probes);
-  result.solution = std::move(found);
-  find_stress_peak(result);
+  examine_stability(result, *result.solution);
+  verification.membership =
+      membership_rows(problem, *result.solution->discrete, result.solution->nodal, result.summary);
   if (!problem.steps.empty()) {
     const assembly::State& state = result.solution->discrete->state;
     result.history.push_back({.step = problem.steps.back().name,

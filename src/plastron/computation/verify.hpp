@@ -42,6 +42,10 @@ struct Verification {
   std::vector<certificate::CertificateLimit> membership{};
 };
 
+/// Returns the numbers of a solution on a single mesh, without limits, contact zones, estimates, stability and modes
+/// (collective).
+Result measured_result(const problem::Problem& problem, Solution found);
+
 /// Verifies a solution (collective). Throws mesh::DomainError, assembly::SupportError, obstacle::ObstacleError, as
 /// solve() does.
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution);

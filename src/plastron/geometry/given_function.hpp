@@ -33,6 +33,11 @@ struct FunctionError : std::runtime_error {
 void give_function(const std::string& name, GivenFunction function);
 /// Forgets a name. Expressions that use the function keep it.
 void forget_function(const std::string& name);
+/// Whether some function is given.
+bool has_given_functions();
+/// Calls the functions that a case names for their values at places of its shell. Functions that take differences learn from them
+/// how large the shell is.
+void show_places(std::string_view case_text, std::span<const Place> places);
 /// Returns the function with the text as its name; null if there is none.
 std::shared_ptr<const GivenFunction> given_function(std::string_view text);
 

@@ -58,6 +58,7 @@ std::vector<std::string> add_modes(const computation::Solution& solution, const 
   MPI_Comm_rank(files.comm(), &rank);
   std::vector<std::string> names;
   for (const computation::Mode& mode : solution.modes) {
+    if (mode.kind == computation::Mode::Kind::softest) continue;
     algebra::Vector shape = mode.shape;
     shape.update_ghosts();
     names.push_back(mode.name() + ".mode");

@@ -29,7 +29,7 @@ static_assert(sizeof(ModeHeader) == 32);
 /// A node of a cell: x, y (an address on a mesh in space), u, r.
 using ModeRecord = std::array<double, 8>;
 
-/// Adds a file for each mode of the solution. Returns their names (collective). Throws std::runtime_error.
+/// Adds a file for each mode that the case asks for. Returns their names (collective). Throws std::runtime_error.
 std::vector<std::string> add_modes(const computation::Solution& solution, const std::filesystem::path& directory,
                                    AtomicFiles& files);
 

@@ -12,18 +12,14 @@ struct Placement {
   Matrix3d rotation = Matrix3d::Identity();
   Vector3d translation = Vector3d::Zero();  ///< [m]
 
-  Vector3d to_body(const Vector3d& X) const { return rotation.transpose() * (X - translation); }
-  Vector3d to_space(const Vector3d& x) const { return rotation * x + translation; }
+  Vector3d to_body(const Vector3d& X) const;
+  Vector3d to_space(const Vector3d& x) const;
   /// Distances are unchanged, directions are rotated.
-  Nearest to_space(const Nearest& of_body) const {
-    return {of_body.distance, rotation * of_body.normal, rotation * of_body.curvature * rotation.transpose()};
-  }
+  Nearest to_space(const Nearest& of_body) const;
 };
 
 /// Applies `first`, then `then`.
-inline Placement operator*(const Placement& then, const Placement& first) {
-  return {then.rotation * first.rotation, then.to_space(first.translation)};
-}
+Placement operator*(const Placement& then, const Placement& first);
 
 /// Rotates by `angle` [rad] about the line through `about` along the unit vector `axis` by the right-hand rule, then
 /// translates by `translation`.
@@ -37,7 +33,7 @@ struct Motion {
   Vector3d about = Vector3d::Zero();        ///< a point of the line
   Vector3d translation = Vector3d::Zero();  ///< translation over the whole step [m]
 
-  Placement after(double part) const { return placed(axis, part * angle, about, part * translation); }
+  Placement after(double part) const;
 };
 
 /// Placement at `time` of a body with the placement `start` at time 0. Motion k runs from time k to k + 1; after the

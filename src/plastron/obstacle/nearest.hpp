@@ -3,7 +3,7 @@
 #pragma once
 #include <plastron/geometry/jet.hpp>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <optional>
 
 namespace plastron::obstacle {
@@ -18,7 +18,7 @@ struct Nearest {
 };
 
 /// The values of the same surface with the other side free.
-inline Nearest reversed(const Nearest& other) { return {-other.distance, -other.normal, -other.curvature}; }
+Nearest reversed(const Nearest& other);
 
 /// An axis-parallel box of space. The extent of a shape contains its surface with a small margin. A shape without bounds
 /// has none.
@@ -26,26 +26,16 @@ struct Extent {
   Vector3d low, high;
 };
 inline constexpr double extent_margin = 1.01;  ///< factor by which an extent is larger than the surface
-inline Extent extent_around(const Vector3d& centre, double reach) {
-  return {centre.array() - reach, centre.array() + reach};
-}
+Extent extent_around(const Vector3d& centre, double reach);
 
 /// Larger coordinates in files are refused, because computations would overflow.
 inline constexpr double largest_coordinate = 1e50;
 
 /// The Hessian of d on the surface F = 0: S = P F'' P / |F'|, with P = I - n n^T and n = F' / |F'|.
-inline Matrix3d surface_curvature(const Vector3d& n, double gradient_size, const Matrix3d& hessian) {
-  const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
-  return P * hessian * P / gradient_size;
-}
+Matrix3d surface_curvature(const Vector3d& n, double gradient_size, const Matrix3d& hessian);
 
 /// The Hessian at distance d from the surface, S (I + d S)^-1: radii of curvature grow by d. Zero where a radius
 /// vanishes, because d has no second derivatives there.
-inline Matrix3d offset_curvature(const Matrix3d& S, double d) {
-  const Matrix3d grown = Matrix3d::Identity() + d * S;
-  if (!(grown.determinant() > 0)) return Matrix3d::Zero();
-  const Matrix3d H = S * grown.inverse();
-  return (H + H.transpose()) / 2;
-}
+Matrix3d offset_curvature(const Matrix3d& S, double d);
 
 }  // namespace plastron::obstacle

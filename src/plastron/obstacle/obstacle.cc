@@ -2,9 +2,6 @@
 #include <plastron/obstacle/obstacle.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-
-#include <algorithm>
 
 namespace plastron::obstacle {
 
@@ -13,20 +10,6 @@ namespace {
 std::string point_text(const Vector3d& X) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", X[0], X[1], X[2]); }
 
 }  // namespace
-
-Placement placed(const Vector3d& axis, double angle, const Vector3d& about, const Vector3d& translation) {
-  const Matrix3d rotation =
-      angle == 0 ? Matrix3d(Matrix3d::Identity()) : Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-  return {rotation, angle == 0 ? translation : Vector3d(about - rotation * about + translation)};
-}
-
-Placement moved(Placement start, const std::vector<Motion>& motions, double time) {
-  for (std::size_t k = 0; k < motions.size(); ++k) {
-    const double part = std::clamp(time - static_cast<double>(k), 0.0, 1.0);
-    if (part > 0) start = motions[k].after(part) * start;
-  }
-  return start;
-}
 
 std::string Obstacle::text() const { return name.empty() ? "the obstacle" : fmt::format("the obstacle \"{}\"", name); }
 

@@ -1,6 +1,38 @@
 #include <plastron/recovery/resultants.hpp>
 
+#include <plastron/geometry/rotation.hpp>
+
 namespace plastron::recovery {
+
+SurfaceAxes surface_axes(const Vector3d& tangent, const Vector3d& a3, const std::optional<Vector3d>& axis) {
+  Vector3d t1 = tangent;
+  if (axis) {
+    const Vector3d projected = geometry::tangential(*axis, a3);
+    if (projected.norm() > parallel_sine * axis->norm()) t1 = projected;
+  }
+  t1.normalize();
+  return {t1, a3.cross(t1), a3};
+}
+
+Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to) {
+  const Eigen::Matrix3d cross = geometry::cross_matrix(from.cross(to));
+  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + from.dot(to));
+}
+
+Eigen::Matrix2d change_of_axes(const SurfaceAxes& from, const SurfaceAxes& to) {
+  const Eigen::Matrix3d turn = shortest_turn(from.a3, to.a3);
+  const Vector3d t1 = turn * from.t1, t2 = turn * from.t2;
+  Eigen::Matrix2d change;
+  change << t1.dot(to.t1), t2.dot(to.t1), t1.dot(to.t2), t2.dot(to.t2);
+  return change;
+}
+
+Vector3d in_other_axes(const Vector3d& tensor, const Eigen::Matrix2d& change) {
+  Eigen::Matrix2d t;
+  t << tensor[0], tensor[2], tensor[2], tensor[1];
+  const Eigen::Matrix2d p = change * t * change.transpose();
+  return {p(0, 0), p(1, 1), p(0, 1)};
+}
 
 Resultants in_other_axes(const Resultants& resultants, const Eigen::Matrix2d& change) {
   Resultants result;

@@ -2,7 +2,6 @@
 // plane, and their transformation between tangent planes.
 #pragma once
 #include <plastron/geometry/frame.hpp>
-#include <plastron/geometry/rotation.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <optional>
@@ -22,39 +21,17 @@ inline constexpr double parallel_sine = 1e-6;
 
 /// Returns axes with t1 along the projection of `axis` on the surface. Without `axis`, or if it is normal to the
 /// surface, t1 follows `tangent`.
-inline SurfaceAxes surface_axes(const Vector3d& tangent, const Vector3d& a3, const std::optional<Vector3d>& axis) {
-  Vector3d t1 = tangent;
-  if (axis) {
-    const Vector3d projected = geometry::tangential(*axis, a3);
-    if (projected.norm() > parallel_sine * axis->norm()) t1 = projected;
-  }
-  t1.normalize();
-  return {t1, a3.cross(t1), a3};
-}
+SurfaceAxes surface_axes(const Vector3d& tangent, const Vector3d& a3, const std::optional<Vector3d>& axis);
 
 /// The smallest rotation that turns the normal `from` into `to`. Precondition: they are not opposite.
-inline Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to) {
-  const Eigen::Matrix3d cross = geometry::cross_matrix(from.cross(to));
-  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1 + from.dot(to));
-}
+Eigen::Matrix3d shortest_turn(const Vector3d& from, const Vector3d& to);
 
 /// The 2 x 2 matrix that maps components in `from` to components in `to`, for column vectors. The axes `from` are
 /// turned into the plane of `to` by the smallest rotation.
-inline Eigen::Matrix2d change_of_axes(const SurfaceAxes& from, const SurfaceAxes& to) {
-  const Eigen::Matrix3d turn = shortest_turn(from.a3, to.a3);
-  const Vector3d t1 = turn * from.t1, t2 = turn * from.t2;
-  Eigen::Matrix2d change;
-  change << t1.dot(to.t1), t2.dot(to.t1), t1.dot(to.t2), t2.dot(to.t2);
-  return change;
-}
+Eigen::Matrix2d change_of_axes(const SurfaceAxes& from, const SurfaceAxes& to);
 
 /// C T C' for a symmetric tensor in the order 11, 22, 12.
-inline Vector3d in_other_axes(const Vector3d& tensor, const Eigen::Matrix2d& change) {
-  Eigen::Matrix2d t;
-  t << tensor[0], tensor[2], tensor[2], tensor[1];
-  const Eigen::Matrix2d p = change * t * change.transpose();
-  return {p(0, 0), p(1, 1), p(0, 1)};
-}
+Vector3d in_other_axes(const Vector3d& tensor, const Eigen::Matrix2d& change);
 
 using solution::NodalSolution;
 

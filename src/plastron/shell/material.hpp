@@ -42,42 +42,16 @@ struct Material {
 };
 
 /// a^{abrs} of (M7) acting on (eps_11, eps_22, 2 eps_12), with result (sigma^11, sigma^22, sigma^12) [Pa].
-inline Eigen::Matrix3d elasticity(const Isotropic& material, const Eigen::Matrix2d& metric_con) {
-  constexpr int first[3] = {0, 1, 0}, second[3] = {0, 1, 1};
-  const double l = material.lambda_plane_stress();
-  const auto& g = metric_con;
-  Eigen::Matrix3d c;
-  for (int p = 0; p < 3; ++p)
-    for (int q = 0; q < 3; ++q) {
-      const int a = first[p], b = second[p], r = first[q], s = second[q];
-      c(p, q) = l * g(a, b) * g(r, s) + material.mu * (g(a, r) * g(b, s) + g(a, s) * g(b, r));
-    }
-  return c;
-}
+Eigen::Matrix3d elasticity(const Isotropic& material, const Eigen::Matrix2d& metric_con);
 
 /// Returns the cross-section of a thickness in the frame's contravariant components. Precondition: the direction of a
 /// laminate is not normal to the surface.
-inline Section section_at(const Material& material, const geometry::Frame& frame, double thickness) {
-  if (const Isotropic* isotropic = material.isotropic()) {
-    const Eigen::Matrix3d c = elasticity(*isotropic, frame.metric_con);
-    const double e = thickness;
-    return {.membrane = e * c,
-            .bending = e * e * e / 12 * c,
-            .shear = material.shear_correction * e * isotropic->mu * frame.metric_con};
-  }
-  const auto laminate = material.laminate();
-  return laminate->section(laminate->axes(frame), thickness, material.shear_correction);
-}
+Section section_at(const Material& material, const geometry::Frame& frame, double thickness);
 
 /// Returns the frame of two orthonormal tangents, in which components of tensors are those in these axes.
-inline geometry::Frame orthonormal_frame(const Vector3d& t1, const Vector3d& t2) {
-  const Vector3d zero = Vector3d::Zero();
-  return geometry::frame_at({.value = zero, .d = {t1, t2}, .dd = {zero, zero, zero}});
-}
+geometry::Frame orthonormal_frame(const Vector3d& t1, const Vector3d& t2);
 
 /// Returns the orthonormal frame whose second axis is the unit tangent of an edge.
-inline geometry::Frame frame_across(const Vector3d& tangent, const Vector3d& a3) {
-  return orthonormal_frame(tangent.cross(a3), tangent);
-}
+geometry::Frame frame_across(const Vector3d& tangent, const Vector3d& a3);
 
 }  // namespace plastron::shell

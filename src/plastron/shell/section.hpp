@@ -2,7 +2,6 @@
 #pragma once
 #include <plastron/shell/strain.hpp>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace plastron::shell {
@@ -23,52 +22,26 @@ struct Section {
   Eigen::Vector3d initial_force = Eigen::Vector3d::Zero();   ///< N_0 = int C eps_0 dz of initial strains eps_0 [N/m]
   Eigen::Vector3d initial_moment = Eigen::Vector3d::Zero();  ///< M_0 = int z C eps_0 dz [N]
 
-  bool is_coupled() const { return (coupling.array() != 0).any(); }
-  bool has_initial_strains() const { return (initial_force.array() != 0).any() || (initial_moment.array() != 0).any(); }
+  bool is_coupled() const;
+  bool has_initial_strains() const;
   /// Returns A, B, D as one matrix of the strains gamma and chi.
-  Eigen::Matrix<double, 6, 6> in_plane() const {
-    Eigen::Matrix<double, 6, 6> c;
-    c << membrane, coupling, coupling, bending;
-    return c;
-  }
+  Eigen::Matrix<double, 6, 6> in_plane() const;
   /// Returns the resultants of strains, without N_0 and M_0.
-  Vector8 resultants_of(const Vector8& strains) const {
-    Vector8 n;
-    n << membrane * strains.head<3>(), bending * strains.segment<3>(3), shear * strains.tail<2>();
-    if (is_coupled()) {
-      n.head<3>() += coupling * strains.segment<3>(3);
-      n.segment<3>(3) += coupling * strains.head<3>();
-    }
-    return n;
-  }
+  Vector8 resultants_of(const Vector8& strains) const;
   /// Returns the strains of resultants, without N_0 and M_0.
-  Vector8 strains_of(const Vector8& resultants) const {
-    Vector8 e;
-    if (is_coupled())
-      e.head<6>() = in_plane().llt().solve(resultants.head<6>());
-    else
-      e.head<6>() << membrane.llt().solve(resultants.head<3>()), bending.llt().solve(resultants.segment<3>(3));
-    e.tail<2>() = shear.llt().solve(resultants.tail<2>());
-    return e;
-  }
+  Vector8 strains_of(const Vector8& resultants) const;
   /// Returns N_0, M_0 and zeros.
-  Vector8 initial_resultants() const {
-    Vector8 n = Vector8::Zero();
-    n << initial_force, initial_moment, 0, 0;
-    return n;
-  }
+  Vector8 initial_resultants() const;
   /// Returns D - B A^{-1} B, the bending stiffness of a section whose membrane forces are zero [N m].
-  Eigen::Matrix3d bending_without_force() const {
-    return is_coupled() ? Eigen::Matrix3d(bending - coupling * membrane.llt().solve(coupling)) : bending;
-  }
+  Eigen::Matrix3d bending_without_force() const;
 };
 
 // The lengths of boundary layers, for a section in orthonormal axes whose first axis is normal to the edge.
 
 /// sqrt(D_11 / S_11): the length over which bending across an edge decays by shear [m].
-inline double bending_length(const Section& s) { return std::sqrt(s.bending_without_force()(0, 0) / s.shear(0, 0)); }
+double bending_length(const Section& s);
 /// sqrt(D_66 / S_22): the length over which the twisting moment of a free edge decays [m].
-inline double twist_length(const Section& s) { return std::sqrt(s.bending_without_force()(2, 2) / s.shear(1, 1)); }
+double twist_length(const Section& s);
 
 /// N^{ab} [N/m], M^{ab} [N] in the order 11, 22, 12, and Q^a [N/m]: contravariant components.
 template <class S>
@@ -93,10 +66,7 @@ struct EnergyDensity {
 };
 
 /// Returns the energy density of strains, without initial strains.
-inline EnergyDensity energy_density(const Section& c, const Strain<double>& s) {
-  const Resultants<double> n = resultants(c, s);
-  return {s.membrane.dot(n.membrane) / 2, s.bending.dot(n.bending) / 2, s.shear.dot(n.shear) / 2};
-}
+EnergyDensity energy_density(const Section& c, const Strain<double>& s);
 
 /// The total density as one differentiable function of the strain: its derivative is resultants().
 template <class S>

@@ -3,8 +3,10 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/computation/sensitivity.hpp>
 #include <plastron/config/printable.hpp>
 #include <plastron/domain/domain_mesh.hpp>
+#include <plastron/fem/surface.hpp>
 #include <plastron/geometry/given_function.hpp>
 #include <plastron/io/mode_file.hpp>
 #include <plastron/mesh/surface_patches.hpp>
@@ -12,7 +14,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
+#include <memory>
 #include <utility>
 
 namespace plastron::workflow {
@@ -50,6 +55,24 @@ void read_modes(problem::Problem& problem) {
       imperfection.shift = io::read_mode(imperfection.mode_file, imperfection.amplitude, patches);
 }
 
+/// Shows the corners of the shell's cells to the functions that the case names. What is wrong with them or with the mesh, the
+/// examination and the solution report.
+void show_shell(const config::Case& c) {
+  try {
+    auto coarse =
+        std::make_shared<const mesh::CoarseMesh>(domain::coarse_mesh(c.problem.domain, c.problem.discretisation.cells));
+    const fem::Surface surface(coarse, c.problem.charts);
+    std::vector<Eigen::Vector2d> corners;
+    for (int k = 0; k < mesh::corner_count(coarse->shape); ++k) corners.push_back(mesh::corner(coarse->shape, k));
+    std::vector<geometry::Place> places;
+    for (std::size_t cell = 0; cell < coarse->cells.size(); ++cell)
+      std::ranges::copy(surface.places({.coarse = static_cast<int>(cell)}, corners, true), std::back_inserter(places));
+    geometry::show_places(c.text, places);
+  } catch (const mesh::DomainError&) {
+  } catch (const geometry::FunctionError&) {
+  }
+}
+
 bool is_first_rank(MPI_Comm comm) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
@@ -74,6 +97,8 @@ void refusing(const std::function<void()>& work) {
     refuse(error);
   } catch (const geometry::FunctionError& error) {
     refuse(error);
+  } catch (const computation::SensitivityError& error) {
+    refuse(error);
   }
 }
 
@@ -97,6 +122,7 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
     problem::locate_points(c.problem);
   } catch (const mesh::DomainError&) {  // the examination and the solution report what is wrong with the mesh
   }
+  if (geometry::has_given_functions()) show_shell(c);
   return c;
 }
 

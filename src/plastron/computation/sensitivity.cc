@@ -1,0 +1,243 @@
+#include <plastron/computation/sensitivity.hpp>
+
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/computation/evaluation.hpp>
+#include <plastron/computation/verify.hpp>
+#include <plastron/domain/domain_mesh.hpp>
+#include <plastron/fem/surface.hpp>
+#include <plastron/finite/newton_step.hpp>
+#include <plastron/meshing/imperfections.hpp>
+#include <plastron/problem/instants.hpp>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace plastron::computation {
+
+/// A shell of a changed problem and its solution.
+struct Sensitivity::Near {
+  std::unique_ptr<assembly::DiscreteShell> discrete;
+  solution::NodalSolution nodal;
+};
+
+namespace {
+
+using contact::Activity;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw SensitivityError("there are no derivatives with held contact " + what + "; use differences");
+}
+
+void check(const problem::Problem& problem, const Result& result) {
+  if (!result.solution || result.status != contact::Status::solved) refuse("of a result that is not solved");
+  const assembly::DiscreteShell& discrete = *result.solution->discrete;
+  if (problem.shell.tangency.formulation == element::Formulation::mixed) refuse("in the mixed formulation");
+  if (!assembly::pressed_obstacles(discrete).empty()) refuse("where a force presses an obstacle");
+  if (discrete.state.control) refuse("where the loads follow a displacement");
+  if (discrete.has_finite_rotations()) return;
+  if (discrete.state.is_deformed())
+    refuse("for curved obstacles with small rotations, whose gaps are linearised at the solution");
+  if (!result.solution->box.z.layout()) refuse("of a result that was loaded");
+}
+
+const Result& checked(const problem::Problem& problem, const Result& result) {
+  check(problem, result);
+  return result;
+}
+
+std::unique_ptr<LinearAlgebra> tangent_of(const Solution& solution) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  algebra::Matrix matrix = discrete.has_finite_rotations()
+                               ? finite::hessian(discrete, solution.nodal, discrete.coordinates)
+                               : assembly::stiffness_matrix(discrete);
+  return std::make_unique<LinearAlgebra>(std::move(matrix), std::vector<char>{}, discrete.space().layout->comm);
+}
+
+contact::BoxProblem box_of(const assembly::DiscreteShell& discrete, const solution::NodalSolution& nodal,
+                           const algebra::Matrix& matrix) {
+  return discrete.has_finite_rotations() ? finite::problem_at(discrete, nodal, matrix).box
+                                         : assembly::box_problem(discrete, matrix);
+}
+
+contact::BoxSolution point_of(const Solution& solution, const algebra::Matrix& matrix) {
+  return solution.discrete->has_finite_rotations() ? finite::problem_at(*solution.discrete, solution.nodal, matrix).z
+                                                   : solution.box;
+}
+
+/// From the coordinates of one shell to those of another, node by node: the same (u, r). The bases of free directions may jump
+/// where two choices are alike.
+class CoordinateChange {
+ public:
+  CoordinateChange(const assembly::NodalCoordinates& from, const assembly::NodalCoordinates& to, std::size_t nodes)
+      : width_(from.width) {
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const assembly::NodeBasis inverse = to.basis[i].completeOrthogonalDecomposition().pseudoInverse();
+      change_.push_back((inverse * from.basis[i]).topLeftCorner(width_, width_));
+      for (int k = 0; k < width_; ++k)
+        if (change_.back().row(k).isZero(0) || change_.back().col(k).isZero(0)) change_.back()(k, k) = 1;
+    }
+  }
+  void apply(algebra::Vector& z) const {
+    for_nodes(z, [](const auto& change, auto&& values) { values = (change * values).eval(); });
+  }
+  void apply_transposed(algebra::Vector& f) const {
+    for_nodes(f, [](const auto& change, auto&& values) { values = (change.transpose() * values).eval(); });
+  }
+  /// Whether a coordinate means the same in both.
+  bool keeps(std::size_t unknown) const {
+    constexpr double near = 0.1;
+    const auto k = static_cast<Eigen::Index>(unknown % static_cast<std::size_t>(width_));
+    Eigen::VectorXd row = change_[unknown / static_cast<std::size_t>(width_)].row(k);
+    row[k] -= 1;
+    return row.norm() < near;
+  }
+
+ private:
+  template <class Change>
+  void for_nodes(algebra::Vector& z, const Change& change) const {
+    for (std::size_t i = 0; i < change_.size(); ++i)
+      change(change_[i], Eigen::Map<Eigen::VectorXd>(z.at(i).data(), width_));
+  }
+
+  int width_;
+  std::vector<Eigen::MatrixXd> change_{};
+};
+
+/// Returns the change from the coordinates of the solution. Those that are held must mean the same.
+CoordinateChange changed_coordinates(const assembly::DiscreteShell& solved, const contact::BoxSolution& z,
+                                     const assembly::DiscreteShell& changed) {
+  const assembly::NodalCoordinates &from = solved.coordinates, &to = changed.coordinates;
+  const MPI_Comm comm = changed.space().layout->comm;
+  CoordinateChange change(from, to, static_cast<std::size_t>(changed.space().layout->owned));
+  bool is_kept =
+      std::ranges::equal(from.rows, to.rows, {}, &assembly::ContactRow::coordinate, &assembly::ContactRow::coordinate);
+  for (std::size_t i = 0; i < z.activity.size(); ++i)
+    is_kept = is_kept && (z.activity[i] == Activity::free || change.keeps(i));
+  if (algebra::max_over_ranks(is_kept ? 0 : 1, comm) != 0) refuse("where the coordinates of the contact change");
+  return change;
+}
+
+/// Returns the rest of the equilibrium at z in the free coordinates of the unchanged shell, and the ways of the others to their
+/// bounds.
+estimation::DualLoad rest_of(const contact::BoxProblem& box, const contact::BoxSolution& z,
+                             const CoordinateChange& change) {
+  algebra::Vector at = z.z, forces = box.load;
+  at.update_ghosts();
+  box.apply(at, forces);
+  estimation::DualLoad rest{.load = box.load, .fixed = algebra::Vector(box.load.layout(), box.load.block())};
+  algebra::axpy(-1, forces, rest.load);
+  const auto keep_free = [&] {
+    for (std::size_t i = 0; i < z.activity.size(); ++i)
+      if (z.activity[i] != Activity::free) rest.load.owned()[i] = 0;
+  };
+  keep_free();
+  change.apply_transposed(rest.load);
+  keep_free();
+  for (std::size_t i = 0; i < z.activity.size(); ++i) {
+    if (z.activity[i] == Activity::free) continue;
+    const algebra::Vector& bound = z.activity[i] == Activity::at_upper ? box.upper : box.lower;
+    rest.fixed.owned()[i] = bound.owned()[i] - z.z.owned()[i];
+  }
+  return rest;
+}
+
+std::vector<Eigen::Vector2d> vertices_of(const problem::Problem& problem) {
+  return domain::coarse_mesh(problem.domain, problem.discretisation.cells).vertices;
+}
+
+}  // namespace
+
+Sensitivity::Sensitivity(const problem::Problem& problem, const Result& result)
+    : problem_(problem),
+      result_(checked(problem, result)),
+      solution_(*result.solution),
+      algebra_(tangent_of(solution_)),
+      box_(box_of(*solution_.discrete, solution_.nodal, algebra_->A)),
+      z_(point_of(solution_, algebra_->A)),
+      tangent_(box_, z_, algebra_->kept) {
+  algebra_->kept.keep();
+}
+
+std::shared_ptr<const fem::Surface> Sensitivity::surface(const problem::Problem& changed) const {
+  if (vertices_of(problem_) != vertices_of(changed)) refuse("where the domain changes");
+  auto coarse = std::make_shared<mesh::CoarseMesh>(solution_.discrete->shell.surface().coarse());
+  coarse->shifts = meshing::shifts_of(changed.imperfections, *coarse);
+  return std::make_shared<const fem::Surface>(std::move(coarse), changed.charts);
+}
+
+assembly::State Sensitivity::state(const problem::Problem& changed) const {
+  const problem::Instant last = problem::instants(changed).back();
+  assembly::State state = solution_.discrete->state;
+  state.time = last.time;
+  state.load_factor = last.load_factor;
+  state.support_factor = last.support_factor;
+  state.force_factors = last.force_factors;
+  return state;
+}
+
+/// Kinks and rigid bodies belong to the space, which is that of the unchanged shell.
+void Sensitivity::check_space(const assembly::DiscreteShell& changed) const {
+  const fem::Space& space = solution_.discrete->space();
+  const std::vector<assembly::NodalPoint>&before = solution_.discrete->points, &after = changed.points;
+  const bool moves =
+      !std::ranges::equal(before, after, [](const auto& a, const auto& b) { return a.phi == b.phi && a.a3 == b.a3; });
+  const auto constrained = static_cast<std::int64_t>(space.kinks.rows().size() + space.bodies.size());
+  if (algebra::max_over_ranks(moves ? 1 : 0, space.layout->comm) != 0 &&
+      algebra::sum_over_ranks(constrained, space.layout->comm) > 0)
+    refuse("where the mid-surface changes and has kinks or rigid bodies");
+}
+
+Sensitivity::Near Sensitivity::near(std::shared_ptr<const fem::Surface> surface,
+                                    const problem::Problem& changed) const {
+  constexpr int most_steps = 20;
+  constexpr double tolerance = 1e-13, rounding = 1e-9, far = 0.1;  // parts of the largest displacement
+  const double size = algebra::max_abs(solution_.nodal.y);
+  Near near{.discrete = assembly::discretise(solution_.discrete->shell.space_pointer(), std::move(surface),
+                                             changed.shell, state(changed)),
+            .nodal = {}};
+  assembly::DiscreteShell& discrete = *near.discrete;
+  check_space(discrete);
+  const bool is_finite = discrete.has_finite_rotations();
+  contact::BoxSolution z = z_;
+  double last = INFINITY;
+  for (int step = 0;; ++step) {
+    const CoordinateChange change = changed_coordinates(*solution_.discrete, z_, discrete);
+    if (step == 0) change.apply(z.z);
+    auto way = tangent_.solve(rest_of(box_of(discrete, solution_.nodal, algebra_->A), z, change));
+    if (!way) refuse("where the linear equations cannot be solved");
+    change.apply(*way);
+    way->update_ghosts();
+    algebra::Vector motion(discrete.space().layout, 6);
+    discrete.coordinates.to_cartesian(*way, motion);
+    const double length = algebra::max_abs(motion);
+    if (!(length <= far * size) || step > most_steps)
+      refuse("for so large a change of the case, or where the solution is nearly unstable");
+    if (is_finite) {
+      assembly::State next = discrete.state;
+      algebra::axpy(1, motion, next.displacement);
+      next.displacement.update_ghosts();
+      assembly::linearise(discrete, std::move(next));
+    } else {
+      algebra::axpy(1, *way, z.z);
+    }
+    if (length <= tolerance * size || (length <= rounding * size && length > last / 2)) break;
+    last = length;
+  }
+  z.z.update_ghosts();
+  near.nodal = discrete.has_finite_rotations() ? solution::nodal_solution(discrete, solution_.nodal.touching)
+                                               : solution::nodal_solution(discrete, z);
+  return near;
+}
+
+Result Sensitivity::at(const problem::Problem& changed) const {
+  Near found = near(surface(changed), changed);
+  Result result = measured_result(changed, {.discrete = std::move(found.discrete), .nodal = std::move(found.nodal)});
+  add_contact_zones(result);
+  result.status = result_.status;
+  return result;
+}
+
+}  // namespace plastron::computation
