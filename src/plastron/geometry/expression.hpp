@@ -1,5 +1,7 @@
 // A scalar function of a place on the mid-surface, written by the user as text and evaluated by muParser.
 #pragma once
+#include <plastron/geometry/place.hpp>
+
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -34,12 +36,6 @@ const std::vector<std::string>& other_functions();
 /// Limits of an expression, so that reading one takes little time and stack.
 inline constexpr std::size_t longest_expression = 4000;  ///< characters
 inline constexpr std::size_t deepest_brackets = 50;
-
-/// A place on the undeformed mid-surface: its parameters in Omega and its Cartesian coordinates [m].
-struct Place {
-  double x = 0, y = 0;
-  double X = 0, Y = 0, Z = 0;
-};
 
 struct GivenFunction;
 

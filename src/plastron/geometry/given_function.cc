@@ -1,4 +1,3 @@
-#include <plastron/geometry/expression.hpp>
 #include <plastron/geometry/given_function.hpp>
 
 #include <map>

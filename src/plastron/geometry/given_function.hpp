@@ -1,6 +1,8 @@
 // Functions that a program gives under a name, for cases that no text can describe. A text that is such a name stands for
 // the function. Texts have their derivatives from algebra; a given function has its own.
 #pragma once
+#include <plastron/geometry/place.hpp>
+
 #include <array>
 #include <functional>
 #include <memory>
@@ -10,8 +12,6 @@
 #include <string_view>
 
 namespace plastron::geometry {
-
-struct Place;
 
 /// A function of x, y, or of X, Y, Z, or of all of them.
 struct GivenFunction {
