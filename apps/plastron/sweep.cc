@@ -73,8 +73,9 @@ std::vector<Parameter> parameters_of(const std::vector<std::string>& settings) {
 struct Member {
   std::vector<std::string> values, settings;
   fs::path folder;
-  std::string text_hash{};  ///< of the case with these values
-  bool is_refused = false;  ///< the solver found the case wrong
+  std::string text_hash{};                           ///< of the case with these values
+  std::map<std::string, std::string> file_hashes{};  ///< of the files that it names
+  bool is_refused = false;                           ///< the solver found the case wrong
 };
 
 /// Returns all combinations; the last parameter changes fastest. Throws config::CaseErrors for a combination that cannot be read.
@@ -92,7 +93,9 @@ std::vector<Member> members_of(const SweepOptions& options, const std::vector<Pa
   }
   for (std::size_t i = 0; i < members.size(); ++i) {
     members[i].folder = options.output / fmt::format("{:04}", i + 1);
-    members[i].text_hash = io::checksum_of_text(config::read_case(options.case_file, members[i].settings).text).hash;
+    const config::Case c = config::read_case(options.case_file, members[i].settings);
+    members[i].text_hash = io::checksum_of_text(c.text).hash;
+    for (const auto& [name, path] : c.files) members[i].file_hashes[name] = io::checksum_of_file(path).hash;
   }
   return members;
 }
@@ -102,9 +105,14 @@ io::Json results_of(const Member& member) {
   std::ifstream stream(member.folder / io::results_name, std::ios::binary);
   if (!stream) return nullptr;
   const io::Json results = io::Json::parse(stream, nullptr, false);
-  const io::Json::json_pointer place("/verification/case/sha256");
-  if (results.is_discarded() || !results.contains(place) || results.value("status", "") == "interrupted") return {};
-  return results[place] == member.text_hash ? results : io::Json();
+  const io::Json::json_pointer text("/verification/case/sha256"), files("/verification/case/files");
+  if (results.is_discarded() || !results.contains(text) || !results.contains(files)) return {};
+  if (results.value("status", "") == "interrupted" || results[text] != member.text_hash) return {};
+  for (const io::Json& file : results[files]) {
+    const auto now = member.file_hashes.find(file.value("name", ""));
+    if (now == member.file_hashes.end() || now->second != file.value("sha256", "")) return {};
+  }
+  return results;
 }
 
 volatile sig_atomic_t was_interrupted = 0;

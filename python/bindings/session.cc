@@ -3,6 +3,7 @@
 #include <plastron/algebra/session.hpp>
 
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -50,6 +51,32 @@ MPI_Comm communicator(const py::object& comm) {
     throw py::type_error("comm is \"world\", \"self\" or a communicator of mpi4py");
   const auto address = mpi.attr("_addressof")(comm).cast<std::uintptr_t>();
   return *reinterpret_cast<MPI_Comm*>(address);
+}
+
+namespace {
+
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+}  // namespace
+
+bool& is_computing() {
+  thread_local bool flag = false;
+  return flag;
+}
+
+Turn::Turn() : is_first_(!is_computing()) {
+  if (!is_first_) return;
+  one_at_a_time().lock();
+  is_computing() = true;
+}
+
+Turn::~Turn() {
+  if (!is_first_) return;
+  is_computing() = false;
+  one_at_a_time().unlock();
 }
 
 }  // namespace plastron::python

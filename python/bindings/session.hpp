@@ -27,4 +27,20 @@ class Releasable {
 /// Returns the communicator of "world", "self" or an mpi4py communicator; starts the session.
 MPI_Comm communicator(const py::object& comm);
 
+/// Whether this thread is in a computation.
+bool& is_computing();
+
+/// The libraries serve one thread at a time. This object waits until no other thread uses them. Make it without the interpreter's
+/// lock, because a computation may call functions of Python. In a callback its thread has the libraries already.
+class Turn {
+ public:
+  Turn();
+  ~Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  bool is_first_;
+};
+
 }  // namespace plastron::python

@@ -66,6 +66,8 @@ std::string Solved::results_json() const {
 
 std::vector<std::string> Solved::finish() {
   if (!files_) throw std::runtime_error("there are no files to write");
+  const py::gil_scoped_release release;
+  const Turn turn;
   const auto names = files_->finish(result(), workflow::provenance_of(case_, *source_), case_.problem.lines);
   files_.reset();
   return names;
@@ -73,8 +75,13 @@ std::vector<std::string> Solved::finish() {
 
 py::dict Solved::fields(double scale) const {
   const problem::Output& output = case_.problem.output;
-  io::GridPiece piece = io::surface_piece(
-      solution(), {.displacement_scale = scale, .heights = output.heights, .is_double = true, .units = output.units});
+  io::GridPiece piece;
+  {
+    const py::gil_scoped_release release;
+    const Turn turn;
+    piece = io::surface_piece(
+        solution(), {.displacement_scale = scale, .heights = output.heights, .is_double = true, .units = output.units});
+  }
   py::dict all;
   all["cell_type"] = static_cast<int>(piece.type);
   all["points"] = array_of(std::move(piece.points), 3);
@@ -101,6 +108,7 @@ py::list Solved::values_at(const py::array_t<double, py::array::c_style | py::ar
   std::vector<recovery::PointValues> values;
   {
     const py::gil_scoped_release release;
+    const Turn turn;
     if (at.shape(1) == 3) problem::locate_points(located);
     std::vector<Eigen::Vector2d> places;
     for (const problem::Probe& probe : located.probes) places.push_back(probe.at);

@@ -16,7 +16,6 @@
 #include <pybind11/stl.h>
 
 #include <exception>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,34 +34,14 @@ struct CaseText {
   }
 };
 
-/// Computations use one set of libraries, which several threads must not use at once.
-std::mutex& one_at_a_time() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-/// Sets a flag while it exists.
-class Flag {
- public:
-  explicit Flag(bool& flag) : flag_(flag) { flag_ = true; }
-  ~Flag() { flag_ = false; }
-  Flag(const Flag&) = delete;
-  Flag& operator=(const Flag&) = delete;
-
- private:
-  bool& flag_;
-};
-
 /// Runs a computation without the interpreter's lock, and raises its errors as those of plastron.errors.
 template <class Work>
 auto computing(Work&& work) {
-  thread_local bool is_computing = false;
-  if (is_computing) throw std::runtime_error("a function that a computation calls cannot start another computation");
+  if (is_computing()) throw std::runtime_error("a function that a computation calls cannot start another computation");
   using Value = decltype(work());
   try {
     const py::gil_scoped_release release;
-    const std::lock_guard lock(one_at_a_time());
-    const Flag flag(is_computing);
+    const Turn turn;
     std::optional<Value> value;
     workflow::refusing([&] { value.emplace(work()); });
     return std::move(*value);
@@ -289,7 +268,12 @@ PYBIND11_MODULE(_solver, module) {
     MPI_Comm_rank(communicator(comm), &rank);
     return rank;
   });
-  module.def("barrier", [](const py::object& comm) { MPI_Barrier(communicator(comm)); });
+  module.def("barrier", [](const py::object& comm) {
+    const MPI_Comm all = communicator(comm);
+    const py::gil_scoped_release release;
+    const Turn turn;
+    MPI_Barrier(all);
+  });
   module.def("start_session", &start_session, py::arg("threads"));
   module.def("end_session", &end_session);
   module.def("check", &check);

@@ -176,7 +176,7 @@ def differences(
     the mesh and the contact instead, and costs less.
     """
     keys = list(keys)
-    numbers = numbers_of(case, keys)
+    numbers = numbers_of(case, keys, step)
     settings = [{key: value} for key, value in steps_of(keys, numbers, step)]
     table = _solve_members(_members(case, settings), [], executor, workers, None, False, False)
     for row in table.rows:
@@ -316,7 +316,11 @@ def _results_in(folder: str | None, case: Case) -> dict[str, Any] | None:
         return None
     try:
         results = json.loads((pathlib.Path(folder) / "results.json").read_text(encoding="utf-8"))
-        same = results["verification"]["case"]["sha256"] == hashlib.sha256(case.text.encode()).hexdigest()
+        source = results["verification"]["case"]
+        same = source["sha256"] == hashlib.sha256(case.text.encode()).hexdigest() and all(
+            file["sha256"] == hashlib.sha256(pathlib.Path(case.files[file["name"]]).read_bytes()).hexdigest()
+            for file in source["files"]
+        )
     except (OSError, ValueError, KeyError, TypeError):
         return None
     return results if same and results["status"] != "interrupted" else None

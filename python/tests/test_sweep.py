@@ -408,6 +408,22 @@ def finite(text):
     return text.replace("nu = 0.3", 'nu = 0.3\nrotations = "finite"')
 
 
+def test_a_sweep_solves_again_where_a_file_of_the_case_has_changed(tmp_path):
+    mode = STRIP.split("[[obstacle]]")[0] + "\n[modes]\nbuckling = 1\n"
+    mode = mode.replace("force = [0, 0, -2e-5]", 'boundary = "right"\nforce = [-1e-6, 0, 0]')
+    (tmp_path / "case.toml").write_text(STRIP + '\n[[imperfection]]\nmode = "buckling_1.mode"\namplitude = 0.01\n')
+    energies = []
+    for thickness in (0.05, 0.04):
+        first = plastron.Case.from_text(mode).with_settings({"shell.thickness": thickness, "mesh.degree": 3 if thickness == 0.04 else 2})
+        quiet(first.solve, output=tmp_path / "modes", report=False)
+        (tmp_path / "buckling_1.mode").write_bytes((tmp_path / "modes/buckling_1.mode").read_bytes())
+        case = plastron.Case.read(tmp_path / "case.toml")
+        table = plastron.sweep(case, {"shell.E": [1.0]}, workers=1, directory=tmp_path / "sweep")
+        energies.append(table["energy"][0])
+        assert energies[-1] == quiet(case.solve, report=False).energy
+    assert energies[0] != energies[1]
+
+
 class TestDifferences:
     def test_energy_without_contact_is_inverse_to_the_modulus(self):
         free = plastron.Case.from_text(FREE)
@@ -472,6 +488,20 @@ class TestDerivatives:
         result = quiet(plastron.Case.from_text(STRIP.replace(*change)).solve, report=False)
         with pytest.raises(plastron.CaseError, match=f"{words}.*; use differences"):
             result.derivatives(["shell.E"])
+
+    @pytest.mark.parametrize("step", [0, 1e-20, 2])
+    def test_a_step_without_sense_is_refused(self, case, step):
+        with pytest.raises(ValueError, match="step is .*; it is a part of the value"):
+            quiet(case.solve, report=False).derivatives(["shell.E"], step)
+        with pytest.raises(ValueError, match="step is"):
+            plastron.differences(case, ["shell.E"], step=step)
+
+    def test_numbers_of_rigid_bodies_are_refused(self):
+        body = STRIP + "\n[[rigid_body]]\nname = \"bar\"\nboundary = \"right\"\nreference = [1, 0.25, 0.05]\nforce = [0, 0, -1e-6]\n"
+        result = quiet(plastron.Case.from_text(body).solve, report=False)
+        assert result.derivatives(["shell.E"])["shell.E"]["energy"][0] != 0
+        with pytest.raises(plastron.CaseError, match="by numbers of rigid bodies; use differences"):
+            result.derivatives(["rigid_body[0].force[2]"])
 
     def test_the_domain_must_stay(self):
         case = plastron.Case.from_text(STRIP.split("[[probe]]")[0])

@@ -74,6 +74,18 @@ TEST(ShapeField, TakesDerivativesOnTheSideThatIsAskedFor) {
   EXPECT_NEAR(field.at({1, 0.5}, {1.1, 0.5}).du[0][0], 1, 1e-12);
 }
 
+// On a mesh in space points are addresses: 2 c + xi_1 in the cell c.
+TEST(ShapeField, FindsPointsOfThinCellsFarFromTheOrigin) {
+  ShapeField::Cells cells{.degree = 1};
+  for (const double from : {4000.0, 4000.001})
+    for (const Vector2d& xi : mesh::node_points(mesh::Shape::quadrilateral, 1)) {
+      cells.points.emplace_back(from + 0.001 * xi[0], xi[1]);
+      cells.values.emplace_back(Vector6::Constant(cells.points.back()[0] - 4000));
+    }
+  const ShapeField field(std::move(cells));
+  for (const double x : {0.0001, 0.0009, 0.0015}) EXPECT_NEAR(field.at({4000 + x, 0.3}, {4000 + x, 0.3}).u[0], x, 1e-9);
+}
+
 TEST(ShapeField, RefusesPointsOfAnotherDomain) {
   const auto field = field_on(disk(), 2);
   try {

@@ -71,6 +71,29 @@ TEST(Mode, AsAnImperfectionIsAmplifiedAsTheBucklingLoadSays) {
   }
 }
 
+/// Returns the reason why a shell cannot have the shape of the mode.
+std::string refusal_of(problem::Problem p, const FoundMode& mode) {
+  p.imperfections = {{.amplitude = 1e-4, .shift = read_mode(mode.file, 1e-4, 0)}};
+  try {
+    static_cast<void>(computation::solve(p, MPI_COMM_WORLD));
+  } catch (const mesh::DomainError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Mode, BelongsToOneShell) {
+  const ScratchDirectory scratch("other-shells");
+  const FoundMode mode = first_mode(scratch);
+  problem::Problem p = pushed_strip();
+  EXPECT_EQ(refusal_of(p, mode), "accepted");
+  p.domain = domain::Rectangle{.to = {0.5, 0.1}, .cells = {4, 1}};
+  p.probes.clear();
+  EXPECT_THAT(refusal_of(p, mode), HasSubstr("another domain"));
+  p = test::with_chart(pushed_strip(), {"x", "y", "0.1*x^2"});
+  EXPECT_THAT(refusal_of(p, mode), HasSubstr("another mid-surface"));
+}
+
 std::string refusal(const std::filesystem::path& path, std::size_t patches = 0) {
   try {
     static_cast<void>(read_mode(path, 1, patches));

@@ -163,8 +163,10 @@ Sensitivity::Sensitivity(const problem::Problem& problem, const Result& result)
 
 std::shared_ptr<const fem::Surface> Sensitivity::surface(const problem::Problem& changed) const {
   if (vertices_of(problem_) != vertices_of(changed)) refuse("where the domain changes");
+  if (problem_.rigid_bodies != changed.rigid_bodies) refuse("by numbers of rigid bodies");
   auto coarse = std::make_shared<mesh::CoarseMesh>(solution_.discrete->shell.surface().coarse());
-  coarse->shifts = meshing::shifts_of(changed.imperfections, *coarse);
+  coarse->shifts.clear();
+  coarse->shifts = meshing::shifts_of(changed, *coarse);
   return std::make_shared<const fem::Surface>(std::move(coarse), changed.charts);
 }
 

@@ -25,6 +25,8 @@ struct RigidBody {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< force at the reference point [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< moment about the reference point [N m]
 
+  bool operator==(const RigidBody& other) const = default;
+
   /// Returns theta, with 0 for components that are free [rad].
   Eigen::Vector3d prescribed_rotation() const {
     return {fixed[3].value_or(0), fixed[4].value_or(0), fixed[5].value_or(0)};

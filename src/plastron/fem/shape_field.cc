@@ -83,14 +83,17 @@ Eigen::Matrix<double, 2, 3> ShapeField::place(std::size_t cell, const Basis& bas
 /// Newton's method from `start`. Returns nothing where it does not converge, as far outside the cell.
 std::optional<Vector2d> ShapeField::inverse(std::size_t cell, const Vector2d& point, Vector2d start) const {
   constexpr int most_steps = 30;
-  constexpr double tolerance = 1e-13, far = 3;  // in reference coordinates
+  constexpr double tolerance = 1e-13, small = 1e-6, far = 3;  // in reference coordinates
   Vector2d xi = std::move(start);
+  double last = far;
   for (int step = 0; step < most_steps; ++step) {
     const Eigen::Matrix<double, 2, 3> at = place(cell, basis(xi));
     const Vector2d change = at.rightCols<2>().inverse() * (point - at.col(0));
     xi += change;
     if (!(xi.lpNorm<Eigen::Infinity>() < far)) return {};
-    if (change.norm() <= tolerance) return xi;
+    const double length = change.norm();
+    if (length <= tolerance || (length < small && length > last / 2)) return xi;  // rounding: addresses are large
+    last = length;
   }
   return {};
 }
@@ -133,6 +136,22 @@ mesh::SurfaceShift::Jet ShapeField::at(const Vector2d& point, const Vector2d& in
     jet.dr[static_cast<std::size_t>(a)] = d.tail<3>();
   }
   return jet;
+}
+
+mesh::Vector3d ShapeField::place_at(const Vector2d& point) const {
+  const Found found = find(point);
+  const Basis basis = this->basis(found.xi);
+  mesh::Vector3d phi = mesh::Vector3d::Zero();
+  const std::size_t count = nodes_per_cell();
+  for (std::size_t i = 0; i < count; ++i)
+    phi += basis.value[static_cast<Eigen::Index>(i)] * cells_.places[found.cell * count + i];
+  return phi;
+}
+
+std::array<Vector2d, 2> ShapeField::box() const {
+  std::array<Vector2d, 2> box{cells_.points.front(), cells_.points.front()};
+  for (const Vector2d& x : cells_.points) box = {box[0].cwiseMin(x), box[1].cwiseMax(x)};
+  return box;
 }
 
 }  // namespace plastron::fem

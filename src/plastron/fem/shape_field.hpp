@@ -20,6 +20,7 @@ class ShapeField final : public mesh::SurfaceShift {
     mesh::Shape shape = mesh::Shape::quadrilateral;
     int degree = 1;
     std::vector<mesh::Vector2d> points{};  ///< places of the nodes in Omega, or addresses
+    std::vector<mesh::Vector3d> places{};  ///< phi there; empty: not known [m]
     std::vector<Vector6> values{};         ///< (u, r) there
   };
 
@@ -27,6 +28,10 @@ class ShapeField final : public mesh::SurfaceShift {
   explicit ShapeField(Cells cells);
 
   Jet at(const mesh::Vector2d& point, const mesh::Vector2d& inside) const override;
+  /// Returns phi at a point as at() does. Precondition: phi is known.
+  mesh::Vector3d place_at(const mesh::Vector2d& point) const;
+  /// Returns the box around all nodes in Omega: its lowest and highest corner.
+  std::array<mesh::Vector2d, 2> box() const;
 
  private:
   struct Basis {

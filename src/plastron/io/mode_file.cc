@@ -1,7 +1,6 @@
 #include <plastron/io/mode_file.hpp>
 
 #include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/fem/shape_field.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/surface_patches.hpp>
@@ -33,15 +32,18 @@ std::string cells_text(const assembly::ShellOperator& shell, const algebra::Vect
   const fem::Space& space = shell.space();
   const std::vector<Eigen::Vector2d> xi = mesh::node_points(space.shape(), space.degree);
   std::vector<double> x(xi.size()), y(xi.size());
+  std::vector<geometry::Frame> frames(xi.size());
   std::string text;
   text.reserve(space.owned_cells * xi.size() * sizeof(ModeRecord));
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
     shell.surface().positions(space.cells[cell], xi, x, y);
+    shell.surface().frames(space.cells[cell], xi, frames, false);
     const auto nodes = space.nodes(cell);
     for (std::size_t i = 0; i < xi.size(); ++i) {
-      ModeRecord record{x[i], y[i]};
+      const geometry::Vector3d& phi = frames[i].phi;
+      ModeRecord record{x[i], y[i], phi[0], phi[1], phi[2]};
       const double* values = shape.local().data() + static_cast<std::size_t>(nodes[i]) * 6;
-      std::copy_n(values, 6, record.begin() + 2);
+      std::copy_n(values, 6, record.begin() + 5);
       append_bytes(text, &record, sizeof record);
     }
   }
@@ -97,6 +99,7 @@ class ModeFile {
     fem::ShapeField::Cells cells{.shape = shape(), .degree = static_cast<int>(header_.degree)};
     const std::size_t count = static_cast<std::size_t>(header_.cells) * nodes_per_cell();
     cells.points.reserve(count);
+    cells.places.reserve(count);
     cells.values.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       constexpr double largest_value = 1e60;  // no mode has a larger number
@@ -105,7 +108,8 @@ class ModeFile {
       if (!std::ranges::all_of(record, [](double value) { return std::abs(value) <= largest_value; }))
         refuse("a value is not finite: the file is damaged");
       cells.points.emplace_back(record[0], record[1]);
-      cells.values.emplace_back(amplitude * Eigen::Map<const fem::ShapeField::Vector6>(record.data() + 2));
+      cells.places.emplace_back(record[2], record[3], record[4]);
+      cells.values.emplace_back(amplitude * Eigen::Map<const fem::ShapeField::Vector6>(record.data() + 5));
     }
     return cells;
   }
@@ -147,8 +151,8 @@ class ModeFile {
 
 }  // namespace
 
-std::shared_ptr<const mesh::SurfaceShift> read_mode(const std::filesystem::path& path, double amplitude,
-                                                    std::size_t patches) {
+std::shared_ptr<const fem::ShapeField> read_mode(const std::filesystem::path& path, double amplitude,
+                                                 std::size_t patches) {
   return std::make_shared<const fem::ShapeField>(ModeFile(path).cells(amplitude, patches));
 }
 

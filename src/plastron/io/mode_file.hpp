@@ -1,11 +1,11 @@
 // NAME.mode: the shape of a mode on its mesh, for [[imperfection]] (docs/results.md describes the bytes).
 //
-// A header, then a record for each cell: at each node its place in Omega and the shape (u, r). No order of cells or ranks has a
-// meaning, and no other file is needed to read it.
+// A header, then a record for each cell: at each node its place in Omega, its place in space and the shape (u, r). No order of
+// cells or ranks has a meaning.
 #pragma once
 #include <plastron/computation/result.hpp>
+#include <plastron/fem/shape_field.hpp>
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/mesh/surface_shift.hpp>
 
 #include <array>
 #include <cstdint>
@@ -26,8 +26,8 @@ struct ModeHeader {
 };
 static_assert(sizeof(ModeHeader) == 32);
 
-/// A node of a cell: x, y (an address on a mesh in space), u, r.
-using ModeRecord = std::array<double, 8>;
+/// A node of a cell: x, y (an address on a mesh in space), phi, u, r.
+using ModeRecord = std::array<double, 11>;
 
 /// Adds a file for each mode that the case asks for. Returns their names (collective). Throws std::runtime_error.
 std::vector<std::string> add_modes(const computation::Solution& solution, const std::filesystem::path& directory,
@@ -35,7 +35,7 @@ std::vector<std::string> add_modes(const computation::Solution& solution, const 
 
 /// Reads a mode, multiplied by `amplitude`, for a mesh in space of so many cells or for a plane domain (0). Throws
 /// UnusableResults: no such file, another format or version, incomplete, another mesh in space, or values that are not finite.
-std::shared_ptr<const mesh::SurfaceShift> read_mode(const std::filesystem::path& path, double amplitude,
-                                                    std::size_t patches);
+std::shared_ptr<const fem::ShapeField> read_mode(const std::filesystem::path& path, double amplitude,
+                                                 std::size_t patches);
 
 }  // namespace plastron::io

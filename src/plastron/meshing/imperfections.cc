@@ -1,14 +1,19 @@
 #include <plastron/meshing/imperfections.hpp>
 
-#include <plastron/algebra/assertion.hpp>
+#include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/fem/shape_field.hpp>
+#include <plastron/fem/surface.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/surface_patches.hpp>
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace plastron::meshing {
 
@@ -47,52 +52,105 @@ Vector6 shift_at(const problem::Imperfection& imperfection, const Vector3d& plac
   return shift;
 }
 
+using Field = std::shared_ptr<const fem::ShapeField>;
+
+Vector6 shift_in_patch(const problem::Imperfection& imperfection, const mesh::SurfacePatches& patches, int patch,
+                       const Vector2d& xi) {
+  const geometry::Frame frame = frame_in_patch(patches, patch, xi);
+  return shift_at(imperfection, frame.phi, frame.a3.normalized());
+}
+
+/// Compares the interpolated displacement with the expression between the nodes.
+void check_interpolation(const problem::Imperfection& imperfection, const mesh::SurfacePatches& patches,
+                         const fem::ShapeField& field, int degree) {
+  constexpr double tolerance = 1e-2;
+  double largest = 0, error = 0;
+  Vector3d worst = Vector3d::Zero();
+  const Vector2d centre = mesh::centre(patches.shape);
+  for (int patch = 0; patch < static_cast<int>(patches.patches.size()); ++patch)
+    for (const Vector2d& xi : mesh::lattice(patches.shape, degree + 1)) {
+      const Vector3d exact = shift_in_patch(imperfection, patches, patch, xi).head<3>();
+      const Vector3d found =
+          field.at(mesh::address_of(patch, xi), mesh::address_of(patch, xi + 1e-6 * (centre - xi))).u;
+      largest = std::max(largest, exact.norm());
+      if (const double e = (found - exact).norm(); !(e <= error)) {
+        error = e;
+        worst = frame_in_patch(patches, patch, xi).phi;
+      }
+    }
+  if (!(error <= tolerance * largest))
+    throw mesh::DomainError(
+        fmt::format("an imperfection varies too fast for the cells of the mesh: near ({:.4g}, {:.4g}, {:.4g}) its "
+                    "interpolation is {:.2g} m off; mesh the part with smaller cells",
+                    worst[0], worst[1], worst[2], error));
+}
+
 /// Interpolates an imperfection on every cell of a mesh in space.
-std::shared_ptr<const mesh::SurfaceShift> interpolated(const problem::Imperfection& imperfection,
-                                                       const mesh::CoarseMesh& coarse) {
-  constexpr int least_degree = 4;
+Field interpolated(const problem::Imperfection& imperfection, const mesh::CoarseMesh& coarse) {
+  constexpr int least_degree = 4, largest_degree = 8;
+  if (imperfection.normal && !coarse.folds.empty())
+    throw mesh::DomainError(
+        "an imperfection along the normal would part the sides of a fold; give displacement = [three expressions], or "
+        "the shape of a mode");
   const mesh::SurfacePatches& patches = *coarse.patches;
   int degree = least_degree;
   for (const mesh::SurfacePatches::Patch& patch : patches.patches) degree = std::max(degree, patch.order);
-  fem::ShapeField::Cells cells{.shape = patches.shape, .degree = std::min(degree, 8)};
-  const std::vector<Vector2d> nodes = mesh::node_points(patches.shape, cells.degree);
-  for (std::size_t patch = 0; patch < patches.patches.size(); ++patch)
-    for (const Vector2d& xi : nodes) {
-      const geometry::Frame frame = frame_in_patch(patches, static_cast<int>(patch), xi);
-      cells.points.push_back(mesh::address_of(static_cast<int>(patch), xi));
-      cells.values.push_back(shift_at(imperfection, frame.phi, frame.a3.normalized()));
+  fem::ShapeField::Cells cells{.shape = patches.shape, .degree = std::min(degree, largest_degree)};
+  const int used = cells.degree;
+  for (int patch = 0; patch < static_cast<int>(patches.patches.size()); ++patch)
+    for (const Vector2d& xi : mesh::node_points(patches.shape, used)) {
+      cells.points.push_back(mesh::address_of(patch, xi));
+      cells.values.push_back(shift_in_patch(imperfection, patches, patch, xi));
     }
-  return std::make_shared<const fem::ShapeField>(std::move(cells));
+  auto field = std::make_shared<const fem::ShapeField>(std::move(cells));
+  check_interpolation(imperfection, patches, *field, used);
+  return field;
 }
 
-/// Tries each cell of the mesh, so that all ranks find a mode of another domain together.
-void check_domain(const mesh::SurfaceShift& shift, const mesh::CoarseMesh& coarse) {
-  for (const mesh::CoarseCell& cell : coarse.cells) {
-    const auto address = [&](const Vector2d& xi) {
-      const Vector2d x = cell.map(xi).value;
-      return coarse.patches ? mesh::address_of(cell.patch, x) : x;
-    };
-    const Vector2d centre = address(mesh::centre(coarse.shape));
-    for (int k = 0; k < mesh::corner_count(coarse.shape); ++k) {
-      constexpr double step = 1e-3;
-      const Vector2d corner = address(mesh::corner(coarse.shape, k));
-      static_cast<void>(shift.at(corner, corner + step * (centre - corner)));
+/// Checks on every rank that the mode belongs to the shell: its domain is as large, and its places are those of the shell.
+void check_mode(const fem::ShapeField& mode, const problem::Problem& problem, const mesh::CoarseMesh& coarse) {
+  constexpr double tolerance = 1e-2;  // of the extent
+  const fem::Surface surface(std::make_shared<const mesh::CoarseMesh>(coarse), problem.charts);
+  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  assembly::BoundingBox places;
+  double apart = 0;
+  for (int c = 0; c < static_cast<int>(coarse.cells.size()); ++c)
+    for (const Vector2d& xi : mesh::lattice(coarse.shape, 2)) {
+      Vector2d x;
+      surface.positions({.coarse = c}, {&xi, 1}, {&x[0], 1}, {&x[1], 1});
+      low = low.cwiseMin(x);
+      high = high.cwiseMax(x);
+      const Vector3d phi = surface.frame({.coarse = c}, xi, false).phi;
+      places.low = places.low.cwiseMin(phi);
+      places.high = places.high.cwiseMax(phi);
+      const Vector2d inside = xi + 1e-3 * (mesh::centre(coarse.shape) - xi);
+      surface.positions({.coarse = c}, {&inside, 1}, {&x[0], 1}, {&x[1], 1});
+      apart = std::max(apart, (mode.place_at(x) - surface.frame({.coarse = c}, inside, false).phi).norm());
     }
-  }
+  const auto [mode_low, mode_high] = mode.box();
+  const double off = std::max((low - mode_low).cwiseAbs().maxCoeff(), (high - mode_high).cwiseAbs().maxCoeff());
+  if (!(off <= tolerance * (high - low).maxCoeff()))
+    throw mesh::DomainError(
+        fmt::format("a mode belongs to another domain: x from {:.6g} to {:.6g}, y from {:.6g} to {:.6g}; this one has "
+                    "x from {:.6g} "
+                    "to {:.6g}, y from {:.6g} to {:.6g}",
+                    mode_low[0], mode_high[0], mode_low[1], mode_high[1], low[0], high[0], low[1], high[1]));
+  if (!(apart <= tolerance * 2 * places.half_diagonal()))
+    throw mesh::DomainError(
+        fmt::format("a mode belongs to another mid-surface, which is up to {:.3g} m away from this one", apart));
 }
 
 }  // namespace
 
-Shifts shifts_of(const std::vector<problem::Imperfection>& imperfections, const mesh::CoarseMesh& coarse) {
+Shifts shifts_of(const problem::Problem& problem, const mesh::CoarseMesh& coarse) {
   Shifts shifts;
-  for (const problem::Imperfection& imperfection : imperfections) {
-    if (!imperfection.shift) {
-      if (!coarse.patches) continue;
+  for (const problem::Imperfection& imperfection : problem.imperfections) {
+    if (imperfection.shift) {
+      check_mode(*imperfection.shift, problem, coarse);
+      shifts.push_back(imperfection.shift);
+    } else if (coarse.patches) {
       shifts.push_back(interpolated(imperfection, coarse));
-      continue;
     }
-    check_domain(*imperfection.shift, coarse);
-    shifts.push_back(imperfection.shift);
   }
   return shifts;
 }

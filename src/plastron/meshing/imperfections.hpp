@@ -10,8 +10,9 @@
 namespace plastron::meshing {
 
 /// Returns the shifts for CoarseMesh::shifts. An expression is interpolated on each cell of a mesh in space. Throws
-/// mesh::DomainError if a mode has no value on some cell.
-std::vector<std::shared_ptr<const mesh::SurfaceShift>> shifts_of(
-    const std::vector<problem::Imperfection>& imperfections, const mesh::CoarseMesh& coarse);
+/// mesh::DomainError for a mode of another shell, for an expression that varies too fast for the cells, and for a displacement along
+/// the normal where there are folds. `coarse` is the mesh without shifts.
+std::vector<std::shared_ptr<const mesh::SurfaceShift>> shifts_of(const problem::Problem& problem,
+                                                                 const mesh::CoarseMesh& coarse);
 
 }  // namespace plastron::meshing

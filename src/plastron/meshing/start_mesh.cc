@@ -234,7 +234,7 @@ StartMesh perfect_mesh(const problem::Problem& problem) {
 
 StartMesh start_mesh(const problem::Problem& problem) {
   StartMesh mesh = perfect_mesh(problem);
-  mesh.coarse.shifts = shifts_of(problem.imperfections, mesh.coarse);
+  mesh.coarse.shifts = shifts_of(problem, mesh.coarse);
   return mesh;
 }
 

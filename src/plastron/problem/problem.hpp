@@ -4,10 +4,10 @@
 #include <plastron/contact/settings.hpp>
 #include <plastron/domain/domain.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/fem/shape_field.hpp>
 #include <plastron/geometry/chart.hpp>
 #include <plastron/geometry/space_function.hpp>
 #include <plastron/mesh/reference_cell.hpp>
-#include <plastron/mesh/surface_shift.hpp>
 #include <plastron/problem/unit_names.hpp>
 
 #include <array>
@@ -99,9 +99,9 @@ struct Line {
 struct Imperfection {
   std::shared_ptr<const geometry::SpaceFunction> normal{};  ///< displacement along a_3, on a mesh in space [m]
   std::array<std::shared_ptr<const geometry::SpaceFunction>, 3> displacement{};  ///< on a mesh in space [m]
-  std::string mode_file{};                            ///< path of a mode, which `shift` is read from
-  double amplitude = 0;                               ///< largest displacement by the mode [m]
-  std::shared_ptr<const mesh::SurfaceShift> shift{};  ///< the mode, multiplied by the amplitude
+  std::string mode_file{};                         ///< path of a mode, which `shift` is read from
+  double amplitude = 0;                            ///< largest displacement by the mode [m]
+  std::shared_ptr<const fem::ShapeField> shift{};  ///< the mode, multiplied by the amplitude
 };
 
 /// Form of the results.
