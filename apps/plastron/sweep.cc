@@ -104,7 +104,7 @@ std::vector<Member> members_of(const SweepOptions& options, const std::vector<Pa
 io::Json results_of(const Member& member) {
   std::ifstream stream(member.folder / io::results_name, std::ios::binary);
   if (!stream) return nullptr;
-  const io::Json results = io::Json::parse(stream, nullptr, false);
+  io::Json results = io::Json::parse(stream, nullptr, false);
   const io::Json::json_pointer text("/verification/case/sha256"), files("/verification/case/files");
   if (results.is_discarded() || !results.contains(text) || !results.contains(files)) return {};
   if (results.value("status", "") == "interrupted" || results[text] != member.text_hash) return {};

@@ -62,8 +62,7 @@ void show_shell(const config::Case& c) {
     auto coarse =
         std::make_shared<const mesh::CoarseMesh>(domain::coarse_mesh(c.problem.domain, c.problem.discretisation.cells));
     const fem::Surface surface(coarse, c.problem.charts);
-    std::vector<Eigen::Vector2d> corners;
-    for (int k = 0; k < mesh::corner_count(coarse->shape); ++k) corners.push_back(mesh::corner(coarse->shape, k));
+    const std::vector<Eigen::Vector2d> corners = mesh::lattice(coarse->shape, 1);
     std::vector<geometry::Place> places;
     for (std::size_t cell = 0; cell < coarse->cells.size(); ++cell)
       std::ranges::copy(surface.places({.coarse = static_cast<int>(cell)}, corners, true), std::back_inserter(places));
