@@ -66,8 +66,6 @@ std::string Solved::results_json() const {
 
 std::vector<std::string> Solved::finish() {
   if (!files_) throw std::runtime_error("there are no files to write");
-  const py::gil_scoped_release release;
-  const Turn turn;
   const auto names = files_->finish(result(), workflow::provenance_of(case_, *source_), case_.problem.lines);
   files_.reset();
   return names;

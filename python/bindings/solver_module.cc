@@ -258,7 +258,12 @@ PYBIND11_MODULE(_solver, module) {
       .def_property_readonly("status", &Solved::status)
       .def_property_readonly("status_text", &Solved::status_text)
       .def("results_json", &Solved::results_json)
-      .def("finish", &Solved::finish)
+      .def("finish",
+           [](Solved& solved) {
+             const py::gil_scoped_release release;
+             const Turn turn;
+             return solved.finish();
+           })
       .def("fields", &Solved::fields, py::arg("scale"))
       .def("values_at", &Solved::values_at, py::arg("points"), py::arg("heights"));
   module.def("give_function", &give_function);

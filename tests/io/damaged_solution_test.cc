@@ -27,9 +27,10 @@ class Damage {
   explicit Damage(std::uint64_t seed) : random_(seed) {}
 
   std::string operator()(std::string text) {
+    const std::size_t size = text.size();
     switch (below(4)) {
       case 0:
-        return flipped(std::move(text), text.size());
+        return flipped(std::move(text), size);
       case 1:
         return flipped(std::move(text), 160);  // the header, the obstacles and the first cell's place
       default:
