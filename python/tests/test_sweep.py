@@ -489,6 +489,19 @@ class TestDerivatives:
         with pytest.raises(plastron.CaseError, match=f"{words}.*; use differences"):
             result.derivatives(["shell.E"])
 
+    @pytest.mark.parametrize("length", [1e-6, 1e6])
+    def test_the_unit_of_length_does_not_matter(self, length):
+        text = with_chart(STRIP.replace("thickness = 0.05", 'thickness = "0.05*s"'))
+        relative = []
+        for s in (1, length):
+            scaled = text.replace("to = [1, 0.5]", 'to = ["s", "0.5*s"]').replace('["x", "y", "0.03 + h', '["x", "y", "0.03*s + h')
+            scaled = scaled.replace("at = [1, 0.25]", 'at = ["s", "0.25*s"]').replace("h = 0.02\nR = 3", f"s = {s!r}\nh = {0.02 * s!r}\nR = {3 * s!r}")
+            case = plastron.Case.from_text(scaled)
+            result = quiet(case.solve, report=False)
+            by = result.derivatives(["constants.h", "constants.R", "shell.E"])
+            relative.append([by[key]["energy"][0] * case[key] / result.energy for key in by])
+        assert relative[1] == pytest.approx(relative[0], rel=1e-6)
+
     @pytest.mark.parametrize("step", [0, 1e-20, 2])
     def test_a_step_without_sense_is_refused(self, case, step):
         with pytest.raises(ValueError, match="step is .*; it is a part of the value"):

@@ -17,12 +17,6 @@
 
 namespace plastron::computation {
 
-/// A shell of a changed problem and its solution.
-struct Sensitivity::Near {
-  std::unique_ptr<assembly::DiscreteShell> discrete;
-  solution::NodalSolution nodal;
-};
-
 namespace {
 
 using contact::Activity;
@@ -31,20 +25,17 @@ using contact::Activity;
   throw SensitivityError("there are no derivatives with held contact " + what + "; use differences");
 }
 
-void check(const problem::Problem& problem, const Result& result) {
+/// Returns the result if it has solutions of changed problems next to it.
+const Result& checked(const problem::Problem& problem, const Result& result) {
   if (!result.solution || result.status != contact::Status::solved) refuse("of a result that is not solved");
   const assembly::DiscreteShell& discrete = *result.solution->discrete;
   if (problem.shell.tangency.formulation == element::Formulation::mixed) refuse("in the mixed formulation");
   if (!assembly::pressed_obstacles(discrete).empty()) refuse("where a force presses an obstacle");
   if (discrete.state.control) refuse("where the loads follow a displacement");
-  if (discrete.has_finite_rotations()) return;
+  if (discrete.has_finite_rotations()) return result;
   if (discrete.state.is_deformed())
     refuse("for curved obstacles with small rotations, whose gaps are linearised at the solution");
   if (!result.solution->box.z.layout()) refuse("of a result that was loaded");
-}
-
-const Result& checked(const problem::Problem& problem, const Result& result) {
-  check(problem, result);
   return result;
 }
 
@@ -62,22 +53,35 @@ contact::BoxProblem box_of(const assembly::DiscreteShell& discrete, const soluti
                                          : assembly::box_problem(discrete, matrix);
 }
 
-contact::BoxSolution point_of(const Solution& solution, const algebra::Matrix& matrix) {
-  return solution.discrete->has_finite_rotations() ? finite::problem_at(*solution.discrete, solution.nodal, matrix).z
-                                                   : solution.box;
+finite::ProblemAtSolution problem_at(const Solution& solution, const algebra::Matrix& matrix) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
+  if (discrete.has_finite_rotations()) return finite::problem_at(discrete, solution.nodal, matrix);
+  return {.box = assembly::box_problem(discrete, matrix), .z = solution.box};
 }
 
-/// From the coordinates of one shell to those of another, node by node: the same (u, r). The bases of free directions may jump
-/// where two choices are alike.
+/// The largest |u| or thickness times |r| at a node of any rank [m].
+double length_of(const algebra::Vector& y, const std::vector<assembly::NodalPoint>& points) {
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const assembly::Vector6 at = assembly::node_values(y, i);
+    largest = std::max({largest, at.head<3>().norm(), points[i].thickness * at.tail<3>().norm()});
+  }
+  return algebra::max_over_ranks(largest, y.layout()->comm);
+}
+
+/// The change from the coordinates of one shell to those of another, node by node: the same (u, r). The bases of free directions
+/// may jump where two choices are alike.
 class CoordinateChange {
  public:
-  CoordinateChange(const assembly::NodalCoordinates& from, const assembly::NodalCoordinates& to, std::size_t nodes)
-      : width_(from.width) {
-    for (std::size_t i = 0; i < nodes; ++i) {
-      const assembly::NodeBasis inverse = to.basis[i].completeOrthogonalDecomposition().pseudoInverse();
-      change_.push_back((inverse * from.basis[i]).topLeftCorner(width_, width_));
+  CoordinateChange(const assembly::DiscreteShell& from, const assembly::DiscreteShell& to)
+      : width_(from.coordinates.width) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(from.space().layout->owned); ++i) {
+      const assembly::NodeBasis &before = from.coordinates.basis[i], &after = to.coordinates.basis[i];
+      const assembly::NodeBasis inverse = inverse_of(after);
+      change_.push_back((inverse * before).topLeftCorner(width_, width_));
       for (int k = 0; k < width_; ++k)
         if (change_.back().row(k).isZero(0) || change_.back().col(k).isZero(0)) change_.back()(k, k) = 1;
+      add_kept(inverse_of(before), inverse, from.points[i].thickness);
     }
   }
   void apply(algebra::Vector& z) const {
@@ -86,16 +90,21 @@ class CoordinateChange {
   void apply_transposed(algebra::Vector& f) const {
     for_nodes(f, [](const auto& change, auto&& values) { values = (change.transpose() * values).eval(); });
   }
-  /// Whether a coordinate means the same in both.
-  bool keeps(std::size_t unknown) const {
-    constexpr double near = 0.1;
-    const auto k = static_cast<Eigen::Index>(unknown % static_cast<std::size_t>(width_));
-    Eigen::VectorXd row = change_[unknown / static_cast<std::size_t>(width_)].row(k);
-    row[k] -= 1;
-    return row.norm() < near;
-  }
+  /// Whether an owned coordinate means nearly the same in both.
+  bool keeps(std::size_t unknown) const { return kept_[unknown]; }
 
  private:
+  static assembly::NodeBasis inverse_of(const assembly::NodeBasis& basis) {
+    return basis.completeOrthogonalDecomposition().pseudoInverse();
+  }
+  /// Compares coordinates as functions of u and of thickness times r.
+  void add_kept(assembly::NodeBasis before, assembly::NodeBasis after, double thickness) {
+    constexpr double near = 0.1;
+    before.rightCols<3>() /= thickness;
+    after.rightCols<3>() /= thickness;
+    for (int k = 0; k < width_; ++k)
+      kept_.push_back((after.row(k) - before.row(k)).norm() <= near * before.row(k).norm());
+  }
   template <class Change>
   void for_nodes(algebra::Vector& z, const Change& change) const {
     for (std::size_t i = 0; i < change_.size(); ++i)
@@ -104,19 +113,19 @@ class CoordinateChange {
 
   int width_;
   std::vector<Eigen::MatrixXd> change_{};
+  std::vector<bool> kept_{};
 };
 
 /// Returns the change from the coordinates of the solution. Those that are held must mean the same.
 CoordinateChange changed_coordinates(const assembly::DiscreteShell& solved, const contact::BoxSolution& z,
                                      const assembly::DiscreteShell& changed) {
-  const assembly::NodalCoordinates &from = solved.coordinates, &to = changed.coordinates;
-  const MPI_Comm comm = changed.space().layout->comm;
-  CoordinateChange change(from, to, static_cast<std::size_t>(changed.space().layout->owned));
-  bool is_kept =
-      std::ranges::equal(from.rows, to.rows, {}, &assembly::ContactRow::coordinate, &assembly::ContactRow::coordinate);
+  CoordinateChange change(solved, changed);
+  bool is_kept = std::ranges::equal(solved.coordinates.rows, changed.coordinates.rows, {},
+                                    &assembly::ContactRow::coordinate, &assembly::ContactRow::coordinate);
   for (std::size_t i = 0; i < z.activity.size(); ++i)
     is_kept = is_kept && (z.activity[i] == Activity::free || change.keeps(i));
-  if (algebra::max_over_ranks(is_kept ? 0 : 1, comm) != 0) refuse("where the coordinates of the contact change");
+  if (algebra::max_over_ranks(is_kept ? 0 : 1, changed.space().layout->comm) != 0)
+    refuse("where the coordinates of the contact change");
   return change;
 }
 
@@ -148,6 +157,17 @@ std::vector<Eigen::Vector2d> vertices_of(const problem::Problem& problem) {
   return domain::coarse_mesh(problem.domain, problem.discretisation.cells).vertices;
 }
 
+/// Kinks and rigid bodies belong to the space, which is that of the unchanged shell.
+void check_space(const assembly::DiscreteShell& solved, const assembly::DiscreteShell& changed) {
+  const fem::Space& space = solved.space();
+  const bool moves = !std::ranges::equal(solved.points, changed.points,
+                                         [](const auto& a, const auto& b) { return a.phi == b.phi && a.a3 == b.a3; });
+  const auto constrained = static_cast<std::int64_t>(space.kinks.rows().size() + space.bodies.size());
+  if (algebra::max_over_ranks(moves ? 1 : 0, space.layout->comm) != 0 &&
+      algebra::sum_over_ranks(constrained, space.layout->comm) > 0)
+    refuse("where the mid-surface changes and has kinks or rigid bodies");
+}
+
 }  // namespace
 
 Sensitivity::Sensitivity(const problem::Problem& problem, const Result& result)
@@ -155,58 +175,43 @@ Sensitivity::Sensitivity(const problem::Problem& problem, const Result& result)
       result_(checked(problem, result)),
       solution_(*result.solution),
       algebra_(tangent_of(solution_)),
-      box_(box_of(*solution_.discrete, solution_.nodal, algebra_->A)),
-      z_(point_of(solution_, algebra_->A)),
-      tangent_(box_, z_, algebra_->kept) {
+      at_solution_(problem_at(solution_, algebra_->A)),
+      tangent_(at_solution_.box, at_solution_.z, algebra_->kept) {
   algebra_->kept.keep();
 }
 
-std::shared_ptr<const fem::Surface> Sensitivity::surface(const problem::Problem& changed) const {
+std::unique_ptr<assembly::DiscreteShell> Sensitivity::discretised(const problem::Problem& changed) const {
   if (vertices_of(problem_) != vertices_of(changed)) refuse("where the domain changes");
   if (problem_.rigid_bodies != changed.rigid_bodies) refuse("by numbers of rigid bodies");
-  auto coarse = std::make_shared<mesh::CoarseMesh>(solution_.discrete->shell.surface().coarse());
+  const assembly::ShellOperator& shell = solution_.discrete->shell;
+  auto coarse = std::make_shared<mesh::CoarseMesh>(shell.surface().coarse());
   coarse->shifts.clear();
   coarse->shifts = meshing::shifts_of(changed, *coarse);
-  return std::make_shared<const fem::Surface>(std::move(coarse), changed.charts);
-}
-
-assembly::State Sensitivity::state(const problem::Problem& changed) const {
   const problem::Instant last = problem::instants(changed).back();
   assembly::State state = solution_.discrete->state;
   state.time = last.time;
   state.load_factor = last.load_factor;
   state.support_factor = last.support_factor;
   state.force_factors = last.force_factors;
-  return state;
+  auto discrete = assembly::discretise(shell.space_pointer(),
+                                       std::make_shared<const fem::Surface>(std::move(coarse), changed.charts),
+                                       changed.shell, std::move(state));
+  check_space(*solution_.discrete, *discrete);
+  return discrete;
 }
 
-/// Kinks and rigid bodies belong to the space, which is that of the unchanged shell.
-void Sensitivity::check_space(const assembly::DiscreteShell& changed) const {
-  const fem::Space& space = solution_.discrete->space();
-  const std::vector<assembly::NodalPoint>&before = solution_.discrete->points, &after = changed.points;
-  const bool moves =
-      !std::ranges::equal(before, after, [](const auto& a, const auto& b) { return a.phi == b.phi && a.a3 == b.a3; });
-  const auto constrained = static_cast<std::int64_t>(space.kinks.rows().size() + space.bodies.size());
-  if (algebra::max_over_ranks(moves ? 1 : 0, space.layout->comm) != 0 &&
-      algebra::sum_over_ranks(constrained, space.layout->comm) > 0)
-    refuse("where the mid-surface changes and has kinks or rigid bodies");
-}
-
-Sensitivity::Near Sensitivity::near(std::shared_ptr<const fem::Surface> surface,
-                                    const problem::Problem& changed) const {
+Solution Sensitivity::near(const problem::Problem& changed) const {
   constexpr int most_steps = 20;
-  constexpr double tolerance = 1e-13, rounding = 1e-9, far = 0.1;  // parts of the largest displacement
-  const double size = algebra::max_abs(solution_.nodal.y);
-  Near near{.discrete = assembly::discretise(solution_.discrete->shell.space_pointer(), std::move(surface),
-                                             changed.shell, state(changed)),
-            .nodal = {}};
+  constexpr double tolerance = 1e-13, rounding = 1e-9, far = 0.1;  // parts of the solution's length
+  const assembly::DiscreteShell& solved = *solution_.discrete;
+  const double size = length_of(solution_.nodal.y, solved.points);
+  Solution near{.discrete = discretised(changed), .nodal = {}};
   assembly::DiscreteShell& discrete = *near.discrete;
-  check_space(discrete);
   const bool is_finite = discrete.has_finite_rotations();
-  contact::BoxSolution z = z_;
+  contact::BoxSolution z = at_solution_.z;
   double last = INFINITY;
   for (int step = 0;; ++step) {
-    const CoordinateChange change = changed_coordinates(*solution_.discrete, z_, discrete);
+    const CoordinateChange change = changed_coordinates(solved, z, discrete);
     if (step == 0) change.apply(z.z);
     auto way = tangent_.solve(rest_of(box_of(discrete, solution_.nodal, algebra_->A), z, change));
     if (!way) refuse("where the linear equations cannot be solved");
@@ -214,7 +219,7 @@ Sensitivity::Near Sensitivity::near(std::shared_ptr<const fem::Surface> surface,
     way->update_ghosts();
     algebra::Vector motion(discrete.space().layout, 6);
     discrete.coordinates.to_cartesian(*way, motion);
-    const double length = algebra::max_abs(motion);
+    const double length = length_of(motion, solved.points);
     if (!(length <= far * size) || step > most_steps)
       refuse("for so large a change of the case, or where the solution is nearly unstable");
     if (is_finite) {
@@ -229,14 +234,13 @@ Sensitivity::Near Sensitivity::near(std::shared_ptr<const fem::Surface> surface,
     last = length;
   }
   z.z.update_ghosts();
-  near.nodal = discrete.has_finite_rotations() ? solution::nodal_solution(discrete, solution_.nodal.touching)
-                                               : solution::nodal_solution(discrete, z);
+  near.nodal =
+      is_finite ? solution::nodal_solution(discrete, solution_.nodal.touching) : solution::nodal_solution(discrete, z);
   return near;
 }
 
 Result Sensitivity::at(const problem::Problem& changed) const {
-  Near found = near(surface(changed), changed);
-  Result result = measured_result(changed, {.discrete = std::move(found.discrete), .nodal = std::move(found.nodal)});
+  Result result = measured_result(changed, near(changed));
   add_contact_zones(result);
   result.status = result_.status;
   return result;

@@ -30,19 +30,15 @@ class Sensitivity {
   Result at(const problem::Problem& changed) const;
 
  private:
-  struct Near;
-  Near near(std::shared_ptr<const fem::Surface> surface, const problem::Problem& changed) const;
-  std::shared_ptr<const fem::Surface> surface(const problem::Problem& changed) const;
-  assembly::State state(const problem::Problem& changed) const;
-  void check_space(const assembly::DiscreteShell& changed) const;
+  std::unique_ptr<assembly::DiscreteShell> discretised(const problem::Problem& changed) const;
+  Solution near(const problem::Problem& changed) const;
 
   const problem::Problem& problem_;
   const Result& result_;
   const Solution& solution_;
   std::unique_ptr<LinearAlgebra> algebra_{};
-  contact::BoxProblem box_;
-  contact::BoxSolution z_;
-  mutable estimation::DualSolver tangent_;
+  finite::ProblemAtSolution at_solution_;
+  mutable estimation::DualSolver tangent_;  ///< solves the equations of the tangent with the contact held
 };
 
 }  // namespace plastron::computation
