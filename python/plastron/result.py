@@ -276,8 +276,8 @@ class Result(Record):
 
         The mesh and the nodes in contact are held. The tangent of the solution is factorised once. For each key it gives four
         solutions with values that differ by ``step`` and 2 ``step``, relative to the value of the key, in a few Newton steps.
-        Their differences are extrapolated, and the estimate is the difference of both. A key costs about as much as a tenth of four
-        solutions.
+        Their differences are extrapolated, and the estimate is the difference of both. A key costs about a sixth of what
+        plastron.differences() takes.
 
         These are derivatives of the discrete solution. The estimate does not hold the error of the mesh, and with contact that is
         larger than the error of the numbers themselves: the edge of a contact zone moves with the case, and here it stays between
