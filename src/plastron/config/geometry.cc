@@ -25,9 +25,8 @@ void report_chart(Reading& reading, const Item& item, const Formulas& formulas) 
   for (std::size_t i = 0; i < 3; ++i) try {
       const geometry::Chart alone({formulas[i], "0", "0"}, reading.constants);
     } catch (const geometry::NotDifferentiable& error) {
-      reading.report(item.value.as_array()[i],
-                     fmt::format("entry {} of {} cannot be differentiated twice: {}", i + 1, item.name, error.reason),
-                     fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
+      report_not_differentiable(reading, {item.value.as_array()[i], fmt::format("entry {} of {}", i + 1, item.name)},
+                                error);
     } catch (const geometry::ExpressionError& error) {
       reading.report(item.value.as_array()[i], error.what());
     }

@@ -6,8 +6,6 @@ namespace plastron::config {
 namespace {
 
 using geometry::ChartDisplacement;
-using problem::Imperfection;
-using SpaceFormula = std::shared_ptr<const geometry::SpaceFunction>;
 
 /// Calls `make`, which throws for an expression without two derivatives. Returns whether it was right.
 template <class Make>
@@ -16,8 +14,7 @@ bool differentiating(const Table& table, const std::string& key, const Make& mak
     make();
     return true;
   } catch (const geometry::NotDifferentiable& error) {
-    table.report(key, fmt::format("{} cannot be differentiated twice: {}", key, error.reason),
-                 fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
+    report_not_differentiable(table.reading(), {*table.value(key), key}, error);
   } catch (const geometry::ExpressionError& error) {
     table.report(key, error.what());
   }

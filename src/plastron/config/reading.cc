@@ -186,6 +186,11 @@ std::vector<std::pair<std::string, toml::value>> named_values(Reading& reading, 
   return all;
 }
 
+void report_not_differentiable(Reading& reading, const Item& item, const geometry::NotDifferentiable& error) {
+  reading.report(item.value, fmt::format("{} cannot be differentiated twice: {}", item.name, error.reason),
+                 fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
+}
+
 std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item) {
   if (item.value.is_integer() || item.value.is_floating()) {
     const auto value = plain_number(reading, item);
@@ -203,8 +208,7 @@ std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& read
     if (const auto at = unlisted_function(text)) throw geometry::ExpressionError("unknown name", *at);
     return std::make_shared<const geometry::SpaceFunction>(text, reading.constants);
   } catch (const geometry::NotDifferentiable& error) {
-    reading.report(item.value, fmt::format("{} cannot be differentiated twice: {}", item.name, error.reason),
-                   fmt::format("+ - * / ^ and {}", fmt::join(geometry::smooth_functions(), " ")));
+    report_not_differentiable(reading, item, error);
   } catch (const geometry::ExpressionError& error) {
     report_expression(reading, item, error, space_variables);
   }

@@ -91,6 +91,8 @@ std::optional<geometry::Expression> read_chart_formula(Reading& reading, const I
 /// Reads an expression of X, Y, Z and the constants with two derivatives.
 std::shared_ptr<const geometry::SpaceFunction> read_space_function(Reading& reading, const Item& item);
 
+/// Reports an expression without two derivatives.
+void report_not_differentiable(Reading& reading, const Item& item, const geometry::NotDifferentiable& error);
 void report_kind(Reading& reading, const Item& item, Kind expected);
 void report_range(Reading& reading, const Item& item, double value);
 /// Marks the wrong character of the string.
