@@ -4,9 +4,8 @@
 #include "terminal.hpp"
 
 #include <plastron/config/case.hpp>
-#include <plastron/io/bytes.hpp>
+#include <plastron/io/finished_results.hpp>
 #include <plastron/io/flat_row.hpp>
-#include <plastron/io/results.hpp>
 
 #include <fmt/ranges.h>
 
@@ -73,9 +72,9 @@ std::vector<Parameter> parameters_of(const std::vector<std::string>& settings) {
 struct Member {
   std::vector<std::string> values, settings;
   fs::path folder;
-  std::string text_hash{};                           ///< of the case with these values
-  std::map<std::string, std::string> file_hashes{};  ///< of the files that it names
-  bool is_refused = false;                           ///< the solver found the case wrong
+  std::string text{};                                     ///< of the case with these values
+  std::vector<std::pair<std::string, fs::path>> files{};  ///< that the case names
+  bool is_refused = false;                                ///< the solver found the case wrong
 };
 
 /// Returns all combinations; the last parameter changes fastest. Throws config::CaseErrors for a combination that cannot be read.
@@ -93,27 +92,15 @@ std::vector<Member> members_of(const SweepOptions& options, const std::vector<Pa
   }
   for (std::size_t i = 0; i < members.size(); ++i) {
     members[i].folder = options.output / fmt::format("{:04}", i + 1);
-    const config::Case c = config::read_case(options.case_file, members[i].settings);
-    members[i].text_hash = io::checksum_of_text(c.text).hash;
-    for (const auto& [name, path] : c.files) members[i].file_hashes[name] = io::checksum_of_file(path).hash;
+    config::Case c = config::read_case(options.case_file, members[i].settings);
+    members[i].text = std::move(c.text);
+    members[i].files = std::move(c.files);
   }
   return members;
 }
 
 /// Returns the results of a member; null if it was not solved, or if another case was solved there.
-io::Json results_of(const Member& member) {
-  std::ifstream stream(member.folder / io::results_name, std::ios::binary);
-  if (!stream) return nullptr;
-  io::Json results = io::Json::parse(stream, nullptr, false);
-  const io::Json::json_pointer text("/verification/case/sha256"), files("/verification/case/files");
-  if (results.is_discarded() || !results.contains(text) || !results.contains(files)) return {};
-  if (results.value("status", "") == "interrupted" || results[text] != member.text_hash) return {};
-  for (const io::Json& file : results[files]) {
-    const auto now = member.file_hashes.find(file.value("name", ""));
-    if (now == member.file_hashes.end() || now->second != file.value("sha256", "")) return {};
-  }
-  return results;
-}
+io::Json results_of(const Member& member) { return io::finished_results(member.folder, member.text, member.files); }
 
 volatile sig_atomic_t was_interrupted = 0;
 extern "C" void note_end(int) { was_interrupted = 1; }

@@ -5,6 +5,7 @@
 
 #include <plastron/config/case.hpp>
 #include <plastron/config/schema.hpp>
+#include <plastron/io/finished_results.hpp>
 #include <plastron/io/flat_row.hpp>
 #include <plastron/io/results.hpp>
 
@@ -12,8 +13,12 @@
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plastron::python {
@@ -71,6 +76,13 @@ PYBIND11_MODULE(_case, module) {
   module.def("check_file", &python::check_file, py::arg("path"), py::arg("settings"));
   module.def("declarations", &python::declarations);
   module.def("result_row", [](const std::string& results) { return io::result_row(io::Json::parse(results)); });
+  module.def("finished_results",
+             [](const std::string& folder, const std::string& text,
+                const std::vector<std::pair<std::string, std::filesystem::path>>& files) -> std::optional<std::string> {
+               const io::Json results = io::finished_results(folder, text, files);
+               if (results.is_null()) return {};
+               return results.dump();
+             });
   module.def("csv_cell", &io::csv_cell);
   module.attr("version") = std::string(io::version);
 }

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import concurrent.futures
-import hashlib
 import itertools
 import json
 import os
 import pathlib
 import pickle
-import re
 from typing import Any, Iterable, Mapping
 
 from . import _case, toml_text
@@ -19,13 +17,6 @@ from .progress import bar as progress_bar
 from .result import derivatives_of, numbers_of, parsed, steps_of
 
 REFUSED = "refused"
-
-# What the library says about a key that is wrong for every value. Unknown names are found by _UNKNOWN.
-_WRONG_KEY = re.compile(
-    "is no key of a case file|counted from 0|has no keys in the case|is no list in the case|has several entries|the case has no |"
-    "cannot be added to|is a repeated section|there is no number|which fix does not name"
-)
-_UNKNOWN = re.compile(r'unknown key "([^"]*)"|unknown section \[+([^\]]*)')
 
 
 class Table:
@@ -110,7 +101,8 @@ def sweep(
     report: whether each of these has a report.html.
     progress: shows the number of finished cases.
 
-    Cases that cannot be solved are rows with the status "refused". A key that the case file does not know raises CaseError.
+    Cases that cannot be solved are rows with the status "refused". A key that the case does not have, and cannot get, raises
+    CaseError.
     """
     for key, values in parameters.items():
         if isinstance(values, (str, bytes)) or not hasattr(values, "__iter__"):
@@ -120,23 +112,10 @@ def sweep(
         raise ValueError(f"with pairwise all parameters have as many values: {[len(values) for values in lists]}")
     settings = [dict(zip(parameters, values)) for values in (zip(*lists) if pairwise else itertools.product(*lists))]
     members = _members(case, settings)
-    for key in parameters:
-        wrong = [member for _, member in members if isinstance(member, CaseError) and _is_of_key(member, key)]
-        if wrong and len(wrong) == len(members):
-            raise wrong[0]
+    errors = [member for _, member in members if isinstance(member, CaseError)]
+    if errors and len(errors) == len(members) and any(key not in case for key in parameters):
+        raise errors[0]
     return _solve_members(members, list(parameters), executor, workers, directory, report, progress)
-
-
-def _is_of_key(error: CaseError, key: str) -> bool:
-    """Whether an error says that the case cannot have a key, whatever its value is."""
-    names = re.split(r"[.\[]", key)
-    for mistake in error.mistakes:
-        if not mistake["file"].startswith(f"--set {key}="):
-            continue
-        unknown = _UNKNOWN.match(mistake["what"])
-        if (unknown[1] or unknown[2]) in names if unknown else _WRONG_KEY.search(mistake["what"]):
-            return True
-    return False
 
 
 def combine(
@@ -275,8 +254,8 @@ def _solve_members(
 
 
 def _refuse_functions_for_processes(members: list[tuple[dict[str, Any], Any]], executor: Any) -> None:
-    """Raises CaseError for functions that pickle cannot send: lambdas, and functions within functions. An executor that meets them
-    may wait for ever. Other executors than these have threads, or ways of their own."""
+    """Raises CaseError for functions that pickle cannot send: lambdas, and functions within functions. An executor may never
+    return from them. Executors of threads and Dask's do not use pickle."""
     uses_pickle = executor is None or isinstance(executor, concurrent.futures.ProcessPoolExecutor)
     if not uses_pickle and not type(executor).__module__.startswith("mpi4py."):
         return
@@ -314,16 +293,8 @@ def _results_in(folder: str | None, case: Case) -> dict[str, Any] | None:
     """Returns the results of the same case in a folder, or None."""
     if folder is None or case._functions:  # what a function computes cannot be told from its text
         return None
-    try:
-        results = json.loads((pathlib.Path(folder) / "results.json").read_text(encoding="utf-8"))
-        source = results["verification"]["case"]
-        same = source["sha256"] == hashlib.sha256(case.text.encode()).hexdigest() and all(
-            file["sha256"] == hashlib.sha256(pathlib.Path(case.files[file["name"]]).read_bytes()).hexdigest()
-            for file in source["files"]
-        )
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
-    return results if same and results["status"] != "interrupted" else None
+    results = _case.finished_results(folder, case.text, list(case.files.items()))
+    return None if results is None else dict(json.loads(results))
 
 
 def _text(value: Any) -> str:
