@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/io/mode_file.hpp>
+#include <plastron/io/output.hpp>
 #include <plastron/io/results.hpp>
 
 #include <cmath>
@@ -80,6 +81,16 @@ std::string refusal_of(problem::Problem p, const FoundMode& mode) {
     return error.what();
   }
   return "accepted";
+}
+
+TEST(Mode, OfAnEarlierRunIsRemoved) {
+  const ScratchDirectory scratch("earlier-modes");
+  first_mode(scratch);
+  problem::Problem p = pushed_strip();
+  p.modes.buckling = 1;
+  Output(scratch.path, "solution", MPI_COMM_WORLD, false).finish(computation::solve(p, MPI_COMM_WORLD), {});
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "buckling_1.mode"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.path / "buckling_2.mode"));
 }
 
 TEST(Mode, BelongsToOneShell) {

@@ -1,7 +1,8 @@
 #include <plastron/io/mode_file.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
-#include <plastron/io/results.hpp>
+#include <plastron/io/binary_file.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/surface_patches.hpp>
 
@@ -9,16 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 namespace plastron::io {
 
 namespace {
-
-void append_bytes(std::string& text, const void* data, std::size_t bytes) {
-  text.append(static_cast<const char*>(data), bytes);
-}
 
 ModeHeader header_of(const fem::Space& space) {
   return {.corners = static_cast<std::uint32_t>(mesh::corner_count(space.shape())),
@@ -63,7 +59,7 @@ std::vector<std::string> add_modes(const computation::Solution& solution, const 
     if (mode.kind == computation::Mode::Kind::softest) continue;
     algebra::Vector shape = mode.shape;
     shape.update_ghosts();
-    names.push_back(mode.name() + ".mode");
+    names.push_back(mode.name() + std::string(mode_ending));
     files.add(directory / names.back(), [&] {
       std::string text;
       if (rank == 0) append_bytes(text, &header, sizeof header);
@@ -73,25 +69,32 @@ std::vector<std::string> add_modes(const computation::Solution& solution, const 
   return names;
 }
 
+void remove_other_modes(const std::filesystem::path& directory, const std::vector<std::string>& names, MPI_Comm comm) {
+  algebra::in_agreement(comm, [&] {
+    int rank = 0;
+    MPI_Comm_rank(comm, &rank);
+    if (rank != 0) return;
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+      const std::string name = entry.path().filename().string();
+      const bool is_ours =
+          name.ends_with(mode_ending) && (name.starts_with("buckling_") || name.starts_with("vibration_"));
+      if (is_ours && std::ranges::count(names, name) == 0) std::filesystem::remove(entry.path());
+    }
+  });
+}
+
 namespace {
 
 /// A file of a mode that is being read.
-class ModeFile {
+class ModeFile : public BinaryFile {
  public:
-  explicit ModeFile(std::filesystem::path path) : path_(std::move(path)) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path_, error)) refuse("there is no such file");
-    const auto size = std::filesystem::file_size(path_, error);
-    file_.open(path_, std::ios::binary);
-    if (error || !file_) refuse("the file cannot be read");
-    if (size < sizeof header_) refuse("the file is too short to hold a mode");
+  explicit ModeFile(const std::filesystem::path& path) : BinaryFile(path) {
+    if (size() < sizeof header_) refuse("the file is too short to hold a mode");
     read(&header_, sizeof header_);
     check_header();
     constexpr std::int64_t most_cells = std::int64_t{1} << 40;  // prevents overflow of sizes
     const auto cells = static_cast<std::uintmax_t>(std::min(header_.cells, most_cells));
-    const std::uintmax_t wanted = sizeof header_ + cells * nodes_per_cell() * sizeof(ModeRecord);
-    if (size != wanted)
-      refuse(fmt::format("the file has {} bytes, its header requires {}: it is incomplete or damaged", size, wanted));
+    require_size(sizeof header_ + cells * nodes_per_cell() * sizeof(ModeRecord));
   }
 
   fem::ShapeField::Cells cells(double amplitude, std::size_t patches) {
@@ -115,12 +118,6 @@ class ModeFile {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw UnusableResults(fmt::format("{}: {}", path_.string(), what));
-  }
-  void read(void* to, std::size_t bytes) {
-    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) refuse("the file cannot be read");
-  }
   void check_header() const {
     const ModeHeader ours;
     if (header_.magic != ours.magic)
@@ -144,8 +141,6 @@ class ModeFile {
     return static_cast<std::size_t>(mesh::nodes_per_cell(shape(), static_cast<int>(header_.degree)));
   }
 
-  std::filesystem::path path_;
-  std::ifstream file_{};
   ModeHeader header_{};
 };
 

@@ -12,9 +12,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plastron::io {
+
+inline constexpr std::string_view mode_ending = ".mode";
 
 struct ModeHeader {
   std::array<char, 8> magic{'P', 'L', 'A', 'S', 'M', 'O', 'D', 'E'};
@@ -32,6 +35,9 @@ using ModeRecord = std::array<double, 11>;
 /// Adds a file for each mode that the case asks for. Returns their names (collective). Throws std::runtime_error.
 std::vector<std::string> add_modes(const computation::Solution& solution, const std::filesystem::path& directory,
                                    AtomicFiles& files);
+
+/// Removes the modes of an earlier run, those without a name in `names` (collective).
+void remove_other_modes(const std::filesystem::path& directory, const std::vector<std::string>& names, MPI_Comm comm);
 
 /// Reads a mode, multiplied by `amplitude`, for a mesh in space of so many cells or for a plane domain (0). Throws
 /// UnusableResults: no such file, another format or version, incomplete, another mesh in space, or values that are not finite.

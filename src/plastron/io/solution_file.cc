@@ -1,4 +1,5 @@
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/io/binary_file.hpp>
 #include <plastron/io/solution_file.hpp>
 #include <plastron/mesh/coarse_mesh.hpp>
 
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <utility>
@@ -35,10 +35,6 @@ std::vector<double> flat_cuts(const std::vector<mesh::Cuts>& cuts) {
 }
 
 namespace {
-
-void append_bytes(std::string& text, const void* data, std::size_t bytes) {
-  text.append(static_cast<const char*>(data), bytes);
-}
 
 SolutionHeader header_of(const computation::Solution& solution) {
   const fem::Space& space = solution.discrete->space();
@@ -134,24 +130,11 @@ std::optional<std::vector<mesh::Cuts>> cuts_of_list(std::span<const double> list
 
 namespace {
 
-/// Returns the size of a regular file.
-std::uintmax_t size_of_file(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw UnusableResults(fmt::format("{}: there is no such file", path.string()));
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) throw UnusableResults(fmt::format("{}: {}", path.string(), error.message()));
-  return size;
-}
-
 /// The part of the file before its cells.
-class SolutionFile {
+class SolutionFile : public BinaryFile {
  public:
-  explicit SolutionFile(std::filesystem::path path) : path_(std::move(path)), size_(size_of_file(path_)) {
-    file_.open(path_,
-               std::ios::binary);  // after size_of_file, which refuses a pipe: opening a pipe would wait for a writer
-    if (!file_) refuse("the file cannot be read");
-    if (size_ < sizeof header_) refuse("the file is too short to hold a solution");
+  explicit SolutionFile(const std::filesystem::path& path) : BinaryFile(path) {
+    if (size() < sizeof header_) refuse("the file is too short to hold a solution");
     read(&header_, sizeof header_);
     check_format();
   }
@@ -161,22 +144,13 @@ class SolutionFile {
   void check_size() const {
     constexpr std::int64_t most_cells = std::int64_t{1} << 40;  // prevents overflow of sizes
     const auto cells = static_cast<std::uintmax_t>(std::min(header_.cells, most_cells));
-    const std::uintmax_t wanted = preamble_size(header_) + cells * record_size(header_, nodes_per_cell());
-    if (size_ != wanted)
-      refuse(fmt::format("the file has {} bytes, its header requires {}: it is incomplete or damaged", size_, wanted));
+    require_size(preamble_size(header_) + cells * record_size(header_, nodes_per_cell()));
   }
 
   const SolutionHeader& header() const { return header_; }
   int nodes_per_cell() const {
     const auto shape = header_.corners == 3 ? mesh::Shape::triangle : mesh::Shape::quadrilateral;
     return mesh::nodes_per_cell(shape, static_cast<int>(header_.degree));
-  }
-  void read(void* to, std::size_t bytes) {
-    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes))) refuse("the file cannot be read");
-  }
-  void skip(std::size_t bytes) { file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur); }
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw UnusableResults(fmt::format("{}: {}", path_.string(), what));
   }
 
  private:
@@ -197,9 +171,6 @@ class SolutionFile {
     if (!is_sound) refuse("the header contains impossible values");
   }
 
-  std::filesystem::path path_;
-  std::uintmax_t size_;
-  std::ifstream file_{};
   SolutionHeader header_{};
 };
 
