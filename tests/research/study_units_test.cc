@@ -63,9 +63,9 @@ const Report& in_plain_units(const Kind& kind) {
   return known.at(name);
 }
 
-/// Lengths alone, forces alone, and both with another modulus. units_test.cc tests more units with a single computation.
+/// Both with other moduli. units_test.cc tests more units with a single computation.
 class EveryStudy : public testing::TestWithParam<Units> {};
-INSTANTIATE_TEST_SUITE_P(Of, EveryStudy, testing::Values(Units{1e-6, 1}, Units{1, 1e6}, Units{1e6, 1e-6}),
+INSTANTIATE_TEST_SUITE_P(Of, EveryStudy, testing::Values(Units{1e-6, 1e3}, Units{1e6, 1e-4}),
                          [](const auto& units) { return fmt::format("{}", units.index); });
 
 TEST_P(EveryStudy, FindsTheSameInAllUnits) {

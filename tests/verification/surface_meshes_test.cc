@@ -110,11 +110,11 @@ std::array<double, 2> geometry_errors(int cells, int order) {
   return {energy.geometry_error.value() / energy.value, energy.value / exact_sphere_energy - 1};
 }
 
-// Order 2 on 8 cells on 90 degrees is 4e-6 off: the estimate of so small a difference is only a size.
+// Order 2 on 4 cells on 90 degrees is 1e-5 off: the estimate of so small a difference is only a size.
 TEST(SphereUnderPressure, HasItsErrorByTheMeshEstimated) {
-  const auto [facets, facets_true] = geometry_errors(16, 1);
+  const auto [facets, facets_true] = geometry_errors(8, 1);
   EXPECT_NEAR(facets, std::abs(facets_true), 0.5 * std::abs(facets_true));
-  const auto [parabolas, parabolas_true] = geometry_errors(8, 2);
+  const auto [parabolas, parabolas_true] = geometry_errors(4, 2);
   EXPECT_LT(parabolas, 10 * std::abs(parabolas_true));
   EXPECT_GT(parabolas, 0.1 * std::abs(parabolas_true));
 }
