@@ -1,6 +1,7 @@
 #include "session.hpp"
 
 #include <plastron/algebra/session.hpp>
+#include <plastron/algebra/threads.hpp>
 
 #include <memory>
 #include <mutex>
@@ -71,12 +72,42 @@ Turn::Turn() : is_first_(!is_computing()) {
   if (!is_first_) return;
   one_at_a_time().lock();
   is_computing() = true;
+  algebra::restrict_openmp();
 }
 
 Turn::~Turn() {
   if (!is_first_) return;
   is_computing() = false;
   one_at_a_time().unlock();
+}
+
+namespace {
+
+bool& is_forking() {
+  thread_local bool flag = false;
+  return flag;
+}
+
+void before_fork() {
+  if (is_computing()) return;  // a callback of a computation
+  const py::gil_scoped_release release;
+  one_at_a_time().lock();
+  is_forking() = true;
+}
+
+void after_fork() {
+  if (!is_forking()) return;
+  is_forking() = false;
+  one_at_a_time().unlock();
+}
+
+}  // namespace
+
+void let_forks_wait() {
+  using namespace py::literals;
+  py::module_::import("os").attr("register_at_fork")("before"_a = py::cpp_function(&before_fork),
+                                                     "after_in_parent"_a = py::cpp_function(&after_fork),
+                                                     "after_in_child"_a = py::cpp_function(&after_fork));
 }
 
 }  // namespace plastron::python

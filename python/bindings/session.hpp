@@ -43,4 +43,7 @@ class Turn {
   bool is_first_;
 };
 
+/// Lets processes start between computations only. The copy of a process has no other thread, and what one was doing stays undone in it.
+void let_forks_wait();
+
 }  // namespace plastron::python

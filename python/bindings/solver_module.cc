@@ -286,5 +286,6 @@ PYBIND11_MODULE(_solver, module) {
   module.def("results_near", &results_near);
   module.def("verify", &verify);
   module.def("load", &load);
+  let_forks_wait();
   py::module_::import("atexit").attr("register")(module.attr("end_session"));
 }

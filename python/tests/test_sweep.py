@@ -193,6 +193,26 @@ except KeyboardInterrupt:
         )
         assert answer == "ended\n"
 
+    @pytest.mark.parametrize("order", ["a_thread_first", "another_thread_solves"])
+    def test_processes_start_whatever_threads_have_solved(self, order, tmp_path):
+        text = STRIP.replace("refinements = 1", "refinements = 4").replace("degree = 2", "degree = 3")
+        answer = python(
+            f"""
+import plastron, threading
+case = plastron.Case.from_text({text!r})
+thread = threading.Thread(target=case.solve)
+thread.start()
+if {order == "a_thread_first"}:
+    thread.join()
+    case.solve()
+table = plastron.sweep(case.with_settings({{"mesh.refinements": 1}}), {{"shell.E": [1, 2, 3, 4]}}, workers=2)
+print(set(table["status"]))
+""",
+            tmp_path,
+            seconds=60,
+        )
+        assert answer == "{'solved'}\n"
+
     def test_another_case_is_solved_again(self, case, tmp_path):
         plastron.sweep(case, {"shell.thickness": THICKNESSES}, directory=tmp_path, workers=1)
         before = times(tmp_path)

@@ -55,16 +55,20 @@ int usable_cores() {
   return sched_getaffinity(0, sizeof cores, &cores) == 0 ? std::max(1, CPU_COUNT(&cores)) : 1;
 }
 
-// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: this number is respected as a limit. CHOLMOD requests
-// four OpenMP threads for any OMP_NUM_THREADS; without active levels it gets one. MUMPS uses the default.
+// CHOLMOD requests four threads for any OMP_NUM_THREADS; without active levels it gets one. MUMPS uses the default.
+void restrict_openmp() {
+  call_if_there("omp_set_num_threads", 1);
+  call_if_there("omp_set_max_active_levels", 0);
+}
+
+// OpenBLAS starts with OPENBLAS_NUM_THREADS or all cores: this number is respected as a limit.
 void restrict_threads(int threads, int ranks) {
   const int by_default =
       ranks > 1 ? 1 : std::min({most_by_default, usable_cores(), ask_if_there("openblas_get_num_threads", 1)});
   is_limit_given = threads > 0;
   limit = is_limit_given ? threads : by_default;
   set_blas_threads(1);
-  call_if_there("omp_set_num_threads", 1);
-  call_if_there("omp_set_max_active_levels", 0);
+  restrict_openmp();
 }
 
 int most_threads() { return limit; }

@@ -18,6 +18,10 @@ int usable_cores();
 /// machine. Called once, by Session.
 void restrict_threads(int threads, int ranks);
 
+/// Stops the threads of OpenMP for the calling thread: these settings belong to each thread. A process must not start them before it
+/// is copied by fork(), since GNU's OpenMP would wait for them in the copy for ever.
+void restrict_openmp();
+
 /// Largest number of threads at a time: 1 before restrict_threads().
 int most_threads();
 
