@@ -171,16 +171,21 @@ std::vector<std::pair<std::string, toml::value>> named_values(Reading& reading, 
                                                               const std::vector<std::string>& vectors,
                                                               const std::string& other) {
   std::vector<std::pair<std::string, toml::value>> all;
+  const auto add = [&](const std::string& name, const toml::value& value) {
+    if (std::ranges::find(all, name, &std::pair<std::string, toml::value>::first) == all.end())
+      all.emplace_back(name, value);
+    else
+      reading.report(value, fmt::format("values gives {} twice", geometry::shortened(name)));
+  };
   for (const auto& [name, value] : entries(reading, table)) {
     const bool is_vector = std::ranges::find(vectors, name) != vectors.end();
     if (is_vector && names_no_component(reading, name, value, other)) continue;
     if (value.is_table()) {
-      for (const auto& [direction, inner] : entries(reading, value))
-        all.emplace_back(fmt::format("{}.{}", name, direction), inner);
+      for (const auto& [direction, inner] : entries(reading, value)) add(fmt::format("{}.{}", name, direction), inner);
     } else if (value.is_array() && is_vector) {
-      for (std::size_t i = 0; i < 3; ++i) all.emplace_back(fmt::format("{}.{}", name, "xyz"[i]), value.as_array()[i]);
+      for (std::size_t i = 0; i < 3; ++i) add(fmt::format("{}.{}", name, "xyz"[i]), value.as_array()[i]);
     } else {
-      all.emplace_back(name, value);
+      add(name, value);
     }
   }
   return all;

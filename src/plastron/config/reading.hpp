@@ -110,7 +110,7 @@ std::vector<std::pair<std::string, toml::value>> entries(const Reading& reading,
 
 /// Returns the entries of a table "values" by component: { u.z = 1 }, { "u.z" = 1 } and { u = [0, 0, 1] } are alike.
 /// `vectors`: the names that have components. One value for a whole vector is reported. `other`: a component's other
-/// names besides x, y, z in the message, for example "n" for u.n.
+/// names besides x, y, z in the message, for example "n" for u.n. A component with two values is reported.
 std::vector<std::pair<std::string, toml::value>> named_values(Reading& reading, const toml::value& table,
                                                               const std::vector<std::string>& vectors,
                                                               const std::string& other = "");

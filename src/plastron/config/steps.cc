@@ -62,7 +62,8 @@ void read_control(Table& table, const problem::Problem& problem, problem::Step& 
     });
     if (table.has("loads"))
       table.report("loads", "the step gives loads, and control seeks them", "one of the two", "remove one of them");
-    if (table.has("move"))
+    const auto move = table.value("move");
+    if (move && !(move->is_array() && move->as_array().empty()))
       table.report("move", "obstacles do not move in a step with control", "", "move them in a step before");
     if (std::ranges::any_of(problem.shell.obstacles.all, &obstacle::Obstacle::is_pressed))
       table.report("control", "control has no meaning beside obstacles that a force presses", "",

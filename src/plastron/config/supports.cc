@@ -79,7 +79,7 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
   const toml::value table = support.value("values").value();
   Reading& reading = support.reading();
   if (!table.is_table()) return report_kind(reading, Item{table, "values"}, Kind::table);
-  std::vector<std::string> allowed, seen;
+  std::vector<std::string> allowed;
   for (const Fixed& component : fixed)
     if (!component.by_symmetry) allowed.push_back(component.name);
   for (const auto& [name, value] : named_values(reading, table, {"u", "r"}, "n")) {
@@ -87,13 +87,10 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
     if (at == fixed.end() || at->by_symmetry) {
       reading.report(value, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
                      joined(allowed), did_you_mean(name, allowed));
-    } else if (std::ranges::count(seen, name) > 0) {
-      reading.report(value, fmt::format("values gives {} twice", geometry::shortened(name)));
     } else if (auto field = read_field(reading, Item{value, name})) {
       effective[name] = as_json(*field);
       result.components[static_cast<std::size_t>(at - fixed.begin())].value = std::move(*field);
     }
-    seen.push_back(name);
   }
 }
 
