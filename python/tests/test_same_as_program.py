@@ -13,9 +13,8 @@ QUICK = {"clamped-saddle", "free-panel", "scordelis-lo", "thermostat", "tube-bet
 
 
 def without_times(text):
-    """The text of results.json without times and memory. Numbers keep the digits that are written there, but the sign of a zero
-    differs between two runs of the program, too."""
-    results = json.loads(text, parse_float=lambda number: "0.0" if number == "-0.0" else number, parse_int=str)
+    """The text of results.json without times and memory. Numbers keep the digits that are written there."""
+    results = json.loads(text, parse_float=str, parse_int=str)
     del results["memory"]
     del results["linearity"]["seconds"]
     for level in results["levels"]:
