@@ -180,7 +180,7 @@ constexpr double largest_value = 1e60;
 class SolutionReader {
  public:
   SolutionReader(std::filesystem::path path, const fem::Space& space, const SolutionShape& shape)
-      : file_(std::move(path)), header_(file_.header()), space_(space), shape_(shape) {
+      : file_(path), header_(file_.header()), space_(space), shape_(shape) {
     check_problem();
     file_.check_size();
     obstacles_.resize(header_.obstacles);
