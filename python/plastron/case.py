@@ -82,6 +82,7 @@ class Case:
 
             give(functions)
         effective, self._text, files = _case.read(text, file_name, settings)
+        self._working_directory = os.getcwd()
         self._given, self._file_name, self._settings, self._functions = text, file_name, settings, functions
         self._effective = json.loads(effective)
         self._files = dict(files)
@@ -109,7 +110,7 @@ class Case:
     @property
     def files(self) -> dict[str, str]:
         """The files that the case names: name -> path."""
-        return dict(self._files)
+        return {name: self._from_here(path) for name, path in self._files.items()}
 
     def to_dict(self) -> dict[str, Any]:
         """Returns all settings with their defaults, in the form of the case file."""
@@ -117,9 +118,13 @@ class Case:
 
     def __getitem__(self, key: str) -> Any:
         value: Any = self._effective
-        for part in _parts(key):
+        steps = _parts(key)
+        while steps:
+            step = steps.pop(0)
+            if steps and isinstance(value, dict) and step not in value:
+                step = f"{step}.{steps.pop(0)}"  # components of values are keys with a point: "u.z"
             try:
-                value = value[part]
+                value = value[step]
             except (KeyError, IndexError, TypeError):
                 raise KeyError(f"{key}: this case has no such key") from None
         return json.loads(json.dumps(value))  # a copy: changes in it would not be part of the case
@@ -131,7 +136,7 @@ class Case:
         text = toml_edit.removed(self._plain_text(), tuple(_parts(key)))
         if text is None:
             raise KeyError(f"{key}: the text of this case has no such key" + " (its value is a default)" * (key in self))
-        self._set(text, self._file_name, [], self._functions)
+        self._set(text, self._from_here(self._file_name), [], self._functions)
 
     def update(self, settings: Mapping[str, Any]) -> None:
         """Replaces several values at once: key -> value. They need to fit together only afterwards."""
@@ -145,7 +150,7 @@ class Case:
         added = [f"{key}={toml_text.value(value, functions)}" for key, value in settings.items() if key not in sections]
         replaced = tuple(key + end for key in settings for end in "=.[")
         kept = [s for s in kept if not s.replace(" ", "").startswith(replaced)]
-        self._set(text, self._file_name, kept + added, functions)
+        self._set(text, self._from_here(self._file_name), kept + added, functions)
 
     def _is_section(self, key: str, value: Any) -> bool:
         """Whether a value takes the place of sections of the text. Others are settings, as after --set."""
@@ -172,6 +177,10 @@ class Case:
         copy.update(settings)
         return copy
 
+    def _from_here(self, path: str) -> str:
+        """Returns a path of the case as one from the present working directory."""
+        return path if self._working_directory == os.getcwd() else os.path.join(self._working_directory, path)
+
     def copy(self) -> Case:
         """Returns a copy that can be changed by itself."""
         copy = type(self).__new__(type(self))
@@ -184,7 +193,7 @@ class Case:
         return self.copy()
 
     def __getstate__(self) -> Any:
-        return (self._given, self._file_name, list(self._settings), dict(self._functions))
+        return (self._given, self._from_here(self._file_name), list(self._settings), dict(self._functions))
 
     def __setstate__(self, state: Any) -> None:
         self._set(*state)
@@ -206,7 +215,7 @@ class Case:
 
         for function in self._functions.values():
             function._give(_solver)
-        return _solver.CaseText(self._given, self._file_name, self._settings)
+        return _solver.CaseText(self._given, self._from_here(self._file_name), self._settings)
 
     def __repr__(self) -> str:
         settings = "".join(f", {s}" for s in self._settings)

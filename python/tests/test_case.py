@@ -54,6 +54,18 @@ class TestReading:
         assert [str(path) for path in case.files.values()] == [str(tmp_path / "raster.asc")]
         assert "raster.asc" in refusal(plastron.Case.from_dict, sections)
 
+    def test_files_are_found_from_another_working_directory(self, tmp_path, monkeypatch):
+        (tmp_path / "raster.asc").write_text("ncols 2\nnrows 2\nxllcorner -9\nyllcorner -9\ncellsize 18\n0 0\n0 0\n")
+        (tmp_path / "case.toml").write_text(STRIP + '[[obstacle]]\nheight_field = { file = "raster.asc" }\n')
+        monkeypatch.chdir(tmp_path)
+        case = plastron.Case.read("case.toml")
+        assert case.files == {"raster.asc": "raster.asc"} and case.file_name == "case.toml"
+        monkeypatch.chdir("/")
+        case["shell.E"] = 2
+        for same in (case, case.with_settings({"shell.nu": 0.2}), pickle.loads(pickle.dumps(case))):
+            assert same.files == {"raster.asc": str(tmp_path / "raster.asc")}
+            assert not [finding for finding in same.check() if finding.severity == "error"]
+
     def test_title_and_file_name_are_known(self, strip_file):
         read = plastron.Case.read(strip_file)
         assert (read.title, read.file_name) == ("A strip pressed on a table", str(strip_file))
@@ -116,6 +128,13 @@ class TestKeys:
         case['accuracy."probe.tip.u.z"'] = 0.01
         assert case.to_dict()["accuracy"]["probe.tip.u.z"] == 0.01
         assert case['accuracy."probe.tip.u.z"'] == 0.01
+
+    def test_components_of_values_are_read_as_they_are_set(self, case):
+        case["support[0].values.u.z"] = 0.01
+        assert case["support[0].values.u.z"] == case['support[0].values."u.z"'] == 0.01
+        case["support[0].values"] = {"u.z": 0.02}
+        assert case["support[0].values.u.z"] == 0.02
+        assert "values gives u.z twice" in refusal(case.__setitem__, "support[0].values.u.z", 0.03)
 
     def test_the_last_value_of_a_key_counts(self, case):
         case["shell.thickness"] = 0.01
@@ -540,7 +559,9 @@ class TestToml:
         for file in files:
             sections = tomllib.loads(file.read_text(encoding="utf-8"))
             assert tomllib.loads(toml_text.document(sections)) == sections
-            assert plastron.Case.from_dict(sections, file.parent).to_dict() == plastron.Case.read(file).to_dict()
+            read = plastron.Case.read(file)
+            assert plastron.Case.from_dict(sections, file.parent).to_dict() == read.to_dict()
+            assert plastron.Case.from_dict(read.to_dict(), file.parent).to_dict() == read.to_dict()
 
 
 def test_values_that_fit_only_together_are_replaced_at_once(strip_file):
