@@ -102,6 +102,13 @@ class Records:
         return "\n\n".join(repr(record) for record in self)
 
 
+def _add_short_names(arrays: dict[str, Any], units: dict[str, str]) -> None:
+    """Adds u and r, the names of displacement and rotation in formulas, where they are no names of fields."""
+    for name, short in (("displacement", "u"), ("rotation", "r")):
+        if name in arrays and short not in arrays:
+            arrays[short], units[short] = arrays[name], units[name]
+
+
 class Fields(Dict[str, "np.ndarray[Any, Any]"]):
     """The fields at the points of the output mesh: name -> array, in double precision. ``units`` has their units.
 
@@ -115,10 +122,7 @@ class Fields(Dict[str, "np.ndarray[Any, Any]"]):
         self.units = {name: unit for name, unit, _ in native["point_arrays"] + native["cell_arrays"]}
         self.of_cells = {name: array for name, _, array in native["cell_arrays"]}
         self.points, self.cells, self.cell_type = native["points"], native["cells"], native["cell_type"]
-        for array, unit in (("displacement", "u"), ("rotation", "r")):
-            if array in self:
-                self.setdefault(unit, self[array])
-
+        _add_short_names(self, self.units)
 
     def under_full_names(self) -> dict[str, np.ndarray[Any, Any]]:
         """Returns the fields without the short names u and r."""
@@ -131,10 +135,7 @@ class Values(Dict[str, "np.ndarray[Any, Any]"]):
     def __init__(self, native: Any) -> None:
         super().__init__({name: array for name, _, array in native})
         self.units = {name: unit for name, unit, _ in native}
-        for array, short in (("displacement", "u"), ("rotation", "r")):
-            if array in self:
-                self.setdefault(short, self[array])
-                self.units.setdefault(short, self.units[array])
+        _add_short_names(self, self.units)
 
     def to_dataframe(self) -> Any:
         """Returns a pandas.DataFrame: a row for each point, components of vectors as name_x, name_y, name_z."""
@@ -284,8 +285,8 @@ class Result(Record):
         the same nodes. On a bowl on a table of 1 700 to 103 000 unknowns, derivatives of force and energy scatter by 5 to 1 %.
         Contact areas change only with the mid-surface.
 
-        Raises CaseError for the mixed formulation, pressed obstacles, control, curved obstacles with small rotations, loaded
-        results, and keys of the domain and of rigid bodies: plastron.differences() works there, too.
+        Raises CaseError for results that are not solved, the mixed formulation, pressed obstacles, control, and keys of the domain
+        and of rigid bodies; with small rotations also for curved obstacles and loaded results. plastron.differences() works there.
         """
         from . import _solver
 

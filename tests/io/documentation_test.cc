@@ -39,6 +39,7 @@ std::string rows(const std::string& prefix, std::span<const Quantity<Record>> qu
 
 std::string quantities_table() {
   return "| path | unit | meaning |\n|---|---|---|\n" + rows("", result_quantities()) +
+         rows("linearity.quantities[].", model_quantities()) + rows("modes[].", mode_quantities()) +
          rows("singular_places[].", singular_place_quantities()) + rows("layers[].", layer_quantities()) +
          rows("supports[].", support_quantities()) + rows("corner_supports[].", corner_support_quantities()) +
          rows("point_supports[].", point_support_quantities()) + rows("rigid_bodies[].", rigid_body_quantities()) +

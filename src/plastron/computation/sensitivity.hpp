@@ -20,8 +20,8 @@ struct SensitivityError : std::invalid_argument {
 class Sensitivity {
  public:
   /// Factorises the tangent of the solution (collective). Keeps references to both. Throws SensitivityError for results and problems
-  /// whose equations are others: results that are not solved or were loaded, the mixed formulation, pressed obstacles, loads that
-  /// follow a displacement, curved obstacles with small rotations.
+  /// whose equations are others: results that are not solved, the mixed formulation, pressed obstacles, loads that follow a
+  /// displacement; with small rotations also curved obstacles and loaded results.
   Sensitivity(const problem::Problem& problem, const Result& result);
 
   /// Returns the result for a changed problem, without certificate, estimates, stability and modes: Newton steps with the factor
