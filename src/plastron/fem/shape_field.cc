@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace plastron::fem {
@@ -23,6 +22,9 @@ using topology::SpaceBox;
 /// Part of a cell's length by which a point may lie outside all cells: their sides are polynomials, those of the domain may be
 /// arcs.
 constexpr double margin = 0.1;
+
+/// Tolerances of reference coordinates: to find the cell, and to evaluate in it.
+constexpr double rough = 1e-6, exact = 1e-13;
 
 /// Returns the boxes around the cells, wider by the margin. The nodes of a curved side need not reach as far as the side.
 std::vector<SpaceBox> boxes_around(const ShapeField::Cells& cells, std::size_t nodes_per_cell) {
@@ -55,59 +57,60 @@ std::size_t ShapeField::nodes_per_cell() const {
   return static_cast<std::size_t>(mesh::nodes_per_cell(cells_.shape, cells_.degree));
 }
 
-ShapeField::Basis ShapeField::basis(const Vector2d& xi) const {
+/// Evaluates at at.xi.
+void ShapeField::evaluate(std::size_t cell, Evaluation& at) const {
+  const Vector2d& xi = at.xi;
   if (cells_.shape == mesh::Shape::triangle) {
     mesh::LatticeValues values = mesh::lattice_values(cells_.shape, cells_.degree, xi);
-    return {std::move(values.value), std::move(values.d[0]), std::move(values.d[1])};
+    at.value = std::move(values.value);
+    at.d1 = std::move(values.d[0]);
+    at.d2 = std::move(values.d[1]);
+  } else {
+    const mesh::LagrangeValues first = mesh::lagrange(nodes_, xi[0]), second = mesh::lagrange(nodes_, xi[1]);
+    const Eigen::Index n = first.value.size();
+    for (Eigen::VectorXd* values : {&at.value, &at.d1, &at.d2}) values->resize(n * n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      at.value.segment(j * n, n) = second.value[j] * first.value;
+      at.d1.segment(j * n, n) = second.value[j] * first.d;
+      at.d2.segment(j * n, n) = second.d[j] * first.value;
+    }
   }
-  const mesh::LagrangeValues first = mesh::lagrange(nodes_, xi[0]), second = mesh::lagrange(nodes_, xi[1]);
-  const auto product = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return Eigen::VectorXd((a * b.transpose()).reshaped());
-  };
-  return {product(first.value, second.value), product(first.d, second.value), product(first.value, second.d)};
+  const auto count = static_cast<Eigen::Index>(nodes_per_cell());
+  const Eigen::Map<const Eigen::Matrix2Xd> points(cells_.points[cell * nodes_per_cell()].data(), 2, count);
+  at.place.noalias() = points * at.value;
+  at.derivatives.col(0).noalias() = points * at.d1;
+  at.derivatives.col(1).noalias() = points * at.d2;
 }
 
-Eigen::Matrix<double, 2, 3> ShapeField::place(std::size_t cell, const Basis& basis) const {
-  Eigen::Matrix<double, 2, 3> sum = Eigen::Matrix<double, 2, 3>::Zero();
-  const std::size_t count = nodes_per_cell();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector2d& x = cells_.points[cell * count + i];
-    const auto k = static_cast<Eigen::Index>(i);
-    sum.col(0) += basis.value[k] * x;
-    sum.col(1) += basis.d1[k] * x;
-    sum.col(2) += basis.d2[k] * x;
-  }
-  return sum;
-}
-
-/// Newton's method from `start`. Returns nothing where it does not converge, as far outside the cell.
-std::optional<Vector2d> ShapeField::inverse(std::size_t cell, const Vector2d& point, Vector2d start) const {
+/// Newton's method from at.xi, up to a step that is shorter than the tolerance: at.xi is the point after it, the rest of `at` belongs to
+/// the point before. Returns false where it does not converge, as far outside the cell.
+bool ShapeField::invert(std::size_t cell, const Vector2d& point, double tolerance, Evaluation& at) const {
   constexpr int most_steps = 30;
-  constexpr double tolerance = 1e-13, small = 1e-6, far = 3;  // in reference coordinates
-  Vector2d xi = std::move(start);
+  constexpr double small = 1e-6, far = 3;  // in reference coordinates
   double last = far;
   for (int step = 0; step < most_steps; ++step) {
-    const Eigen::Matrix<double, 2, 3> at = place(cell, basis(xi));
-    const Vector2d change = at.rightCols<2>().inverse() * (point - at.col(0));
-    xi += change;
-    if (!(xi.lpNorm<Eigen::Infinity>() < far)) return {};
+    evaluate(cell, at);
+    const Vector2d change = at.derivatives.inverse() * (point - at.place);
+    at.xi += change;
+    if (!(at.xi.lpNorm<Eigen::Infinity>() < far)) return false;
     const double length = change.norm();
-    if (length <= tolerance || (length < small && length > last / 2)) return xi;  // rounding: addresses are large
+    if (length <= tolerance || (length < small && length > last / 2)) return true;  // rounding: addresses are large
     last = length;
   }
-  return {};
+  return false;
 }
 
-ShapeField::Found ShapeField::find(const Vector2d& inside) const {
+/// Returns the cell of a point, and its coordinates there up to a tolerance.
+ShapeField::Found ShapeField::find(const Vector2d& inside, double tolerance, Evaluation& at) const {
   Found best{};
   double least = std::numeric_limits<double>::infinity();
   const Eigen::Vector3d corner(inside[0], inside[1], 0);
   boxes_.visit({.low = corner, .high = corner}, [&](std::size_t cell) {
     if (least < 0) return;
-    const std::optional<Vector2d> xi = inverse(cell, inside, mesh::centre(cells_.shape));
-    if (!xi || !(excess(cells_.shape, *xi) < least)) return;
-    least = excess(cells_.shape, *xi);
-    best = {cell, *xi};
+    at.xi = mesh::centre(cells_.shape);
+    if (!invert(cell, inside, tolerance, at) || !(excess(cells_.shape, at.xi) < least)) return;
+    least = excess(cells_.shape, at.xi);
+    best = {cell, at.xi};
   });
   if (!(least <= margin))
     throw mesh::DomainError(fmt::format("the mode has no value at x = {:.6g}, y = {:.6g}: it belongs to another domain",
@@ -116,22 +119,21 @@ ShapeField::Found ShapeField::find(const Vector2d& inside) const {
 }
 
 mesh::SurfaceShift::Jet ShapeField::at(const Vector2d& point, const Vector2d& inside) const {
-  const Found found = find(inside);
-  const Basis basis = this->basis(inverse(found.cell, point, found.xi).value_or(found.xi));
-  const Eigen::Matrix2d to_xi = place(found.cell, basis).rightCols<2>().inverse();
-  Vector6 value = Vector6::Zero();
-  std::array<Vector6, 2> along_xi{Vector6::Zero(), Vector6::Zero()};
-  const std::size_t count = nodes_per_cell();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vector6& at_node = cells_.values[found.cell * count + i];
-    const auto k = static_cast<Eigen::Index>(i);
-    value += basis.value[k] * at_node;
-    along_xi[0] += basis.d1[k] * at_node;
-    along_xi[1] += basis.d2[k] * at_node;
+  Evaluation at;
+  const Found found = find(inside, rough, at);
+  at.xi = found.xi;
+  if (!invert(found.cell, point, exact, at)) {
+    at.xi = found.xi;
+    evaluate(found.cell, at);
   }
+  const Eigen::Matrix2d to_xi = at.derivatives.inverse();
+  const std::size_t count = nodes_per_cell();
+  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> values(cells_.values[found.cell * count].data(), 6,
+                                                                          static_cast<Eigen::Index>(count));
+  const Vector6 value = values * at.value, along_1 = values * at.d1, along_2 = values * at.d2;
   Jet jet{.u = value.head<3>(), .r = value.tail<3>()};
   for (int a = 0; a < 2; ++a) {
-    const Vector6 d = to_xi(0, a) * along_xi[0] + to_xi(1, a) * along_xi[1];
+    const Vector6 d = to_xi(0, a) * along_1 + to_xi(1, a) * along_2;
     jet.du[static_cast<std::size_t>(a)] = d.head<3>();
     jet.dr[static_cast<std::size_t>(a)] = d.tail<3>();
   }
@@ -139,12 +141,14 @@ mesh::SurfaceShift::Jet ShapeField::at(const Vector2d& point, const Vector2d& in
 }
 
 mesh::Vector3d ShapeField::place_at(const Vector2d& point) const {
-  const Found found = find(point);
-  const Basis basis = this->basis(found.xi);
+  Evaluation at;
+  const Found found = find(point, exact, at);
+  at.xi = found.xi;
+  evaluate(found.cell, at);
   mesh::Vector3d phi = mesh::Vector3d::Zero();
   const std::size_t count = nodes_per_cell();
   for (std::size_t i = 0; i < count; ++i)
-    phi += basis.value[static_cast<Eigen::Index>(i)] * cells_.places[found.cell * count + i];
+    phi += at.value[static_cast<Eigen::Index>(i)] * cells_.places[found.cell * count + i];
   return phi;
 }
 

@@ -6,7 +6,6 @@
 #include <plastron/topology/box_tree.hpp>
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 namespace plastron::fem {
@@ -34,19 +33,21 @@ class ShapeField final : public mesh::SurfaceShift {
   std::array<mesh::Vector2d, 2> box() const;
 
  private:
-  struct Basis {
+  /// The functions of the nodes at a point of a cell, and the place in Omega with its derivatives along xi.
+  struct Evaluation {
+    mesh::Vector2d xi;
     Eigen::VectorXd value, d1, d2;
+    mesh::Vector2d place;
+    Eigen::Matrix2d derivatives;
   };
   struct Found {
     std::size_t cell;
     mesh::Vector2d xi;
   };
-  Basis basis(const mesh::Vector2d& xi) const;
+  void evaluate(std::size_t cell, Evaluation& at) const;
   std::size_t nodes_per_cell() const;
-  /// Returns the place in Omega and its derivatives along xi, as columns.
-  Eigen::Matrix<double, 2, 3> place(std::size_t cell, const Basis& basis) const;
-  std::optional<mesh::Vector2d> inverse(std::size_t cell, const mesh::Vector2d& point, mesh::Vector2d start) const;
-  Found find(const mesh::Vector2d& inside) const;
+  bool invert(std::size_t cell, const mesh::Vector2d& point, double tolerance, Evaluation& at) const;
+  Found find(const mesh::Vector2d& inside, double tolerance, Evaluation& at) const;
 
   Cells cells_;
   std::vector<double> nodes_{};  // of a square element along one direction

@@ -107,7 +107,8 @@ Rule gauss_lobatto(int points) { return rule_of(dealii::QGaussLobatto<1>(static_
 
 LagrangeValues lagrange(std::span<const double> nodes, double x) {
   const int n = static_cast<int>(nodes.size());
-  LagrangeValues l{Eigen::VectorXd::Ones(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+  using Vector = LagrangeValues::Vector;
+  LagrangeValues l{Vector::Ones(n), Vector::Zero(n), Vector::Zero(n)};
   // l_i is a product of linear factors (x - x_j) / (x_i - x_j): they are multiplied one by one with the product rule.
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {

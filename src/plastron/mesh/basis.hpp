@@ -20,8 +20,11 @@ Rule gauss_lobatto(int points);  ///< end points included; exact for degree 2 po
 
 /// The Lagrange polynomials of given nodes and their first two derivatives at a point x.
 struct LagrangeValues {
-  Eigen::VectorXd value, d, dd;
+  static constexpr int most_nodes = 16;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_nodes, 1>;  ///< without an allocation
+  Vector value, d, dd;
 };
+/// Precondition: not more than most_nodes nodes.
 LagrangeValues lagrange(std::span<const double> nodes, double x);
 
 /// Tables of a one-dimensional Lagrange basis at points: a row per point, a column per node.
