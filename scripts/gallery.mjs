@@ -90,9 +90,10 @@ Red lines bound contact zones, grey surfaces are obstacles. Small displacements 
 
 /** The picture that the page saves, as WebP: a fifth of the PNG. */
 async function takePicture(page, entry) {
-  const { field, scale, layers = {}, view, keys = [] } = entry.picture ?? {};
+  const { shape, field, scale, layers = {}, view, keys = [] } = entry.picture ?? {};
   await page.goto(pathToFileURL(join(results, entry.case, 'report.html')).href);
   await page.waitForSelector('#view[data-ready]', { timeout: 60000 });
+  if (shape) await page.getByLabel('Shape').selectOption(shape);
   if (field) await page.locator('.choice select').first().selectOption(field);
   if (scale !== undefined) await page.getByLabel('Scale of the displacements').fill(String(scale));
   for (const [label, is] of Object.entries(layers)) await page.getByLabel(label, { exact: true }).setChecked(is);

@@ -4,6 +4,7 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/io/mode_file.hpp>
 #include <plastron/io/output.hpp>
+#include <plastron/io/report_scene.hpp>
 #include <plastron/io/results.hpp>
 
 #include <cmath>
@@ -91,6 +92,18 @@ TEST(Mode, OfAnEarlierRunIsRemoved) {
   Output(scratch.path, "solution", MPI_COMM_WORLD, false).finish(computation::solve(p, MPI_COMM_WORLD), {});
   EXPECT_TRUE(std::filesystem::exists(scratch.path / "buckling_1.mode"));
   EXPECT_FALSE(std::filesystem::exists(scratch.path / "buckling_2.mode"));
+}
+
+TEST(Mode, IsInTheViewOfTheReport) {
+  problem::Problem p = pushed_strip();
+  p.modes.buckling = 2;
+  const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
+  const Json scene = scene_json(*result.solution, result.summary);
+  if (scene.is_null()) return;  // on other ranks than the first
+  std::vector<std::string> names;
+  for (const Json& field : scene["fields"])
+    if (field.contains("is_mode")) names.push_back(field["key"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"buckling_1", "buckling_2"}));
 }
 
 TEST(Mode, BelongsToOneShell) {

@@ -83,6 +83,21 @@ const tests = {
     await page.getByTitle('Shows the instants one after the other').click();
     await page.waitForFunction((time) => Number(document.querySelector('#view').dataset.time) === time, results.history.at(-1).time);
   },
+  async 'shows the shapes of modes'() {
+    const shape = page.getByLabel('Shape');
+    const colours = page.locator('.choice select').first();
+    const changed = await changeBy(() => shape.selectOption('buckling_1'));
+    assert.ok(changed > 2000, `${changed} pixels`);
+    assert.equal(await colours.inputValue(), 'buckling_1:length');
+    assert.equal(await page.locator('.bar-labels span').last().textContent(), '1');
+    await colours.selectOption('u:length');
+    assert.equal(await shape.inputValue(), '', 'other quantities are of the solution');
+    await shape.selectOption('buckling_2');
+    await page.getByLabel('Instant of the steps').fill('0');
+    assert.equal(await shape.inputValue(), '');
+    await shape.selectOption('');
+    assert.equal(Number(await page.locator('#view').getAttribute('data-time')), results.history.at(-1).time);
+  },
   async 'shows and hides its layers'() {
     for (const label of ['mesh', 'undeformed', 'obstacles', 'contact boundary']) {
       const changed = await changeBy(() => page.getByLabel(label, { exact: true }).click());

@@ -1,5 +1,5 @@
 // The picture of report.html: the deformed shell, its undeformed mesh, obstacles, supports and contact boundaries.
-import { directors, linesOnSurface, moved, nearest, placed } from './shapes.js';
+import { directors, linesOnSurface, moved, nearest, normalsOf, placed } from './shapes.js';
 import { layer, normalsArray, View } from './view.js';
 
 /** The vectors of some points, next to each other. */
@@ -9,7 +9,7 @@ export class DeformedView extends View {
   constructor(container, scene) {
     super(container, scene);
     this.lines = linesOnSurface(scene);
-    this.nearest = (scene.frames.length > 1 ? scene.supports : []).map((line) => Array.from({ length: line.points.length / 3 }, (_, i) => nearest(scene.position, line.points.subarray(3 * i, 3 * i + 3))));
+    this.nearest = (scene.frames.length + scene.modes.length > 1 ? scene.supports : []).map((line) => Array.from({ length: line.points.length / 3 }, (_, i) => nearest(scene.position, line.points.subarray(3 * i, 3 * i + 3))));
     this.frame = scene.frames.at(-1);
     this.addLayers();
     this.setScale(0);
@@ -46,7 +46,7 @@ export class DeformedView extends View {
     this.render();
   }
 
-  /** Shows an instant of the steps. Contact boundaries are those of the last one. */
+  /** Shows an instant of the steps or a mode. Contact boundaries are those of the last one. */
   setFrame(frame) {
     this.frame = frame;
     this.scene.obstacles.forEach((o, k) => this.obstacles[k].move(frame.obstacles ? placed(o.points, frame.obstacles[k]) : o.points));
@@ -57,7 +57,7 @@ export class DeformedView extends View {
     this.scale = scale;
     const { scene, frame } = this;
     this.points = moved(scene.position, scale, frame.u, new Float32Array(scene.position.length));
-    const normals = directors(scene.normal, scale, frame.r, new Float32Array(scene.position.length));
+    const normals = frame.r ? directors(scene.normal, scale, frame.r, new Float32Array(scene.position.length)) : normalsOf(this.points, this.cells.polys);
     this.shell.data.getPointData().setNormals(normalsArray(normals));
     this.shell.move(this.points);
     this.edges.move(this.points);

@@ -1,7 +1,7 @@
 // report.html's three-dimensional view: the deformed shell and its controls.
 import { checkbox, choice, element } from './dom.js';
 import { colourMaps, coloured } from './colours.js';
-import { deformationSlider, scalesFor } from './deformation.js';
+import { deformationSlider, scalesFor, visibleMode } from './deformation.js';
 import { DeformedView } from './deformed_view.js';
 import { Probe } from './probe.js';
 import { defaultQuantity, quantitiesOf, rangeInFrames, rangeOf } from './quantities.js';
@@ -43,7 +43,8 @@ export function startReport(place, scene) {
     probe.show(point);
   };
   const showValues = (x, y) => showPoint(state.frame === last ? view.pick(x, y) : -1);
-  const slider = deformationSlider(scalesFor(scene, view.size), (scale) => {
+  const scales = scalesFor(scene, view.size);
+  const slider = deformationSlider(scales, (scale) => {
     view.setScale(scale);
     place.dataset.scale = String(scale);
   });
@@ -60,15 +61,28 @@ export function startReport(place, scene) {
     state.frame = frame;
     place.dataset.time = String(frame.time);
     if (frame !== last) showPoint(-1);
+    shapes.querySelector('select').value = '';
     if (!quantities.find((q) => q.id === state.quantity).values(frame)) setQuantity('u:length');
     view.setFrame(frame);
     paint();
+  });
+  // A mode has the colours of its own displacement alone: others bring back the solution.
+  const shapes = choice('Shape', [{ id: '', label: 'solution' }, ...scene.modes.map(({ key }) => ({ id: key, label: key }))], '', (key) => {
+    steps.reset();
+    if (!key) return;
+    state.frame = visibleMode(scene.modes.find((mode) => mode.key === key), view.size, scales.start);
+    showPoint(-1);
+    view.setFrame(state.frame);
+    setQuantity(`${key}:length`);
+    slider.reset();
+    shapes.querySelector('select').value = key;
   });
   options.append(
     colours,
     choice('Map', Object.keys(colourMaps).map((id) => ({ id, label: id })), state.map, (id) => paint((state.map = id))),
     slider.node,
   );
+  if (scene.modes.length > 0) options.append(shapes);
   if (scene.frames.length > 1) options.append(steps.node);
   const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
   if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);

@@ -31,8 +31,8 @@ function readFrame(frame, points) {
 }
 
 /**
- * Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports, frames}. The last frame is the
- * solution, with all fields; there is no other without steps.
+ * Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports, frames, modes}. The last frame is
+ * the solution, with all fields; there is no other without steps. Modes are frames, too: their displacement is a field of the solution.
  */
 export function readScene(json) {
   const fields = json.fields.map((field) => ({
@@ -43,10 +43,12 @@ export function readScene(json) {
   const field = (key) => fields.find((f) => f.key === key);
   const u = interleaved(field('u').rows);
   const r = interleaved(field('r').rows);
+  const modeOf = ({ key, rows }) => ({ key, time: json.time, rows: { [key]: rows }, u: interleaved(rows) });
   return {
     ...json,
     fields,
     frames: [...json.frames.map((frame) => readFrame(frame, json.points)), { time: json.time, u, r }],
+    modes: fields.filter((f) => f.is_mode).map(modeOf),
     position: interleaved(field('position').rows),
     u,
     r,

@@ -8,12 +8,30 @@ export function moved(a, scale, b, out) {
 
 /** Directors a3 + scale r of length 1: normals of the deformed shell, but for its shear. */
 export function directors(normal, scale, r, out) {
-  moved(normal, scale, r, out);
-  for (let i = 0; i < out.length; i += 3) {
-    const size = Math.hypot(out[i], out[i + 1], out[i + 2]) || 1;
-    for (let d = 0; d < 3; ++d) out[i + d] /= size;
+  return unit(moved(normal, scale, r, out));
+}
+
+function unit(vectors) {
+  for (let i = 0; i < vectors.length; i += 3) {
+    const size = Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]) || 1;
+    for (let d = 0; d < 3; ++d) vectors[i + d] /= size;
   }
-  return out;
+  return vectors;
+}
+
+/** Normals of a surface of triangles (vtk.js's polys) at its points. */
+export function normalsOf(points, polys) {
+  const out = new Float32Array(points.length);
+  for (let t = 0; t < polys.length; t += 4) {
+    const [a, b, c] = polys.subarray(t + 1, t + 4).map((p) => 3 * p);
+    const side = (to, d) => points[to + d] - points[a + d];
+    for (let d = 0; d < 3; ++d) {
+      const [e, f] = [(d + 1) % 3, (d + 2) % 3];
+      const part = side(b, e) * side(c, f) - side(b, f) * side(c, e);
+      for (const p of [a, b, c]) out[p + d] += part;
+    }
+  }
+  return unit(out);
 }
 
 /** Points after a rotation (row by row) and a translation. */

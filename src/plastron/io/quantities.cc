@@ -165,6 +165,14 @@ std::span<const Quantity<computation::Mode>> mode_quantities() {
   return all;
 }
 
+Json field_json(const computation::Mode& mode) {
+  return {{"key", mode.name()},
+          {"arrays", {mode.name()}},
+          {"symbol", "v"},
+          {"unit", "1"},
+          {"meaning", "displacement of the mode; the largest is 1"}};
+}
+
 std::span<const Quantity<Result>> contact_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"area", "m^2", "mid-surface area within the boundaries of the contact zones, summed over the obstacles",

@@ -34,6 +34,8 @@ std::span<const Quantity<computation::Result>> result_quantities();
 std::span<const Quantity<computation::ModelQuantity>> model_quantities();
 /// Paths inside "modes[]".
 std::span<const Quantity<computation::Mode>> mode_quantities();
+/// Returns the description of its field in solution.vtu: key, arrays, symbol, unit, meaning.
+Json field_json(const computation::Mode& mode);
 /// Paths inside "singular_places[]".
 std::span<const Quantity<recovery::SingularPlace>> singular_place_quantities();
 /// Paths inside "layers[]".

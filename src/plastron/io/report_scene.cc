@@ -13,6 +13,9 @@ namespace plastron::io {
 
 namespace {
 
+/// Largest number of modes times points on a page: 3 MB.
+constexpr std::int64_t most_mode_points = 190'000;
+
 /// Identity of a point: coarse cell, place of its drawn cell in it, number in the drawn cell.
 using Key = std::array<std::int64_t, 4>;
 
@@ -66,15 +69,17 @@ void append(recovery::PointValues point, double least_pressure, const std::vecto
   }
 }
 
-/// Returns the points from cells of this rank.
+/// Returns the points from cells of this rank: the values of the fields, then the displacements of the modes.
 PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, double least_pressure,
-                        const std::vector<Field>& fields) {
+                        const std::vector<Field>& fields, std::span<const computation::Mode> modes) {
   const fem::Space& space = solution.discrete->space();
   const mesh::Shape shape = space.shape();
   PointRecords records;
   if (space.owned_cells == 0) return records;
-  const recovery::Recovery recovery(*solution.discrete, solution.nodal, mesh::lattice(shape, drawn.subdivisions),
-                                    solution.recovery);
+  const auto lattice = mesh::lattice(shape, drawn.subdivisions);
+  const recovery::Recovery recovery(*solution.discrete, solution.nodal, lattice, solution.recovery);
+  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const element::BasisAt basis = element::basis_at(shape, space.degree, lattice);
   const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
     const Block block = block_of(space.cells[cell], shape, drawn);
@@ -83,10 +88,15 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
       if (drawn.merged_levels == 0 || is_blocks_corner(space.cells[cell], block.cell, shape, k)) wanted.push_back(k);
     if (wanted.empty()) continue;
     const auto points = recovery(cell);
+    std::vector<element::CellField> shapes;
+    for (const computation::Mode& mode : modes)
+      shapes.push_back(shell.interpolation().values(cell, basis, shell.gather(cell, mode.shape)));
     for (const int k : wanted) {
       records.keys.push_back(block.key);
       records.keys.back()[3] = k;
       append(points[static_cast<std::size_t>(k)], least_pressure, fields, records.values);
+      for (const element::CellField& values : shapes)
+        for (Eigen::Index d = 0; d < 3; ++d) records.values.push_back(static_cast<float>(values(k, d)));
     }
   }
   return records;
@@ -164,7 +174,7 @@ std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
 }
 
 SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points,
-                               std::vector<Field> fields) {
+                               std::vector<Field> fields, std::span<const computation::Mode> modes) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
   const MPI_Comm comm = space.layout->comm;
@@ -173,9 +183,11 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   surface.cells = drawn_cells(space.shape(), space.degree, cells_by_level(space), most_points);
   if (surface.cells.count == 0) return surface;
   surface.points = surface.cells.count * points_in(space.shape(), surface.cells.subdivisions);
+  const auto most_modes = static_cast<std::size_t>(most_mode_points / surface.points);
+  surface.modes = modes.first(std::min(modes.size(), most_modes));
   const double least = least_pressure(solution);
-  const PointRecords mine =
-      algebra::in_agreement(comm, [&] { return own_points(solution, surface.cells, least, surface.fields); });
+  const PointRecords mine = algebra::in_agreement(
+      comm, [&] { return own_points(solution, surface.cells, least, surface.fields, surface.modes); });
   const PointRecords all{gathered(mine.keys, comm), gathered(mine.values, comm)};
   surface.rows = in_rows(all);
   return surface;
@@ -200,6 +212,13 @@ Json fields_json(const SampledSurface& surface, const problem::UnitNames& units)
                     {"unit", units.label(field.unit)},
                     {"meaning", field.meaning},
                     {"values", std::move(values)}});
+  }
+  for (const computation::Mode& mode : surface.modes) {
+    Json values = Json::array();
+    for (int d = 0; d < 3; ++d) values.push_back(row_json(surface.rows[row++]));
+    list.push_back(field_json(mode));
+    list.back()["is_mode"] = true;
+    list.back()["values"] = std::move(values);
   }
   return list;
 }
@@ -341,7 +360,8 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
   const fem::Space& space = discrete.space();
   const SampledSurface surface = sampled_surface(
       solution, most_points,
-      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed));
+      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed),
+      solution.modes);
   const obstacle::Extent extent = surroundings(solution);
   const Json supports = supports_json(discrete, solution.nodal);
   int rank = 0;

@@ -32,17 +32,20 @@ struct SampledSurface {
   DrawnCells cells;
   std::int64_t points = 0;
   std::vector<Field> fields{};  ///< fields with a meaning here
-  /// A row for each component of each field, with a value for each point; on the first rank only.
+  std::span<const computation::Mode> modes{};
+  /// A row for each component of each field, then of the displacement of each mode, with a value for each point; on the first
+  /// rank only.
   std::vector<std::vector<float>> rows{};
 };
 
 /// Returns the fields that colours can show: no tangents, no directions, no places except the mid-surface.
 std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier);
 
-/// Returns the surface with some fields and cells in an order that does not depend on the number of ranks (collective). Throws the
-/// errors of the chart at points between nodes, on all ranks together.
+/// Returns the surface with some fields, modes of the solution (the first ones, if they are too many for a page), and cells in an
+/// order that does not depend on the number of ranks (collective). Throws the errors of the chart at points between nodes, on all
+/// ranks together.
 SampledSurface sampled_surface(const computation::Solution& solution, std::int64_t most_points,
-                               std::vector<Field> fields);
+                               std::vector<Field> fields, std::span<const computation::Mode> modes = {});
 
 /// Largest number of points of the shell's surface on a page. The page stays below 12 MB (a field's 4 bytes are 5.3
 /// letters, some 60 components).
@@ -73,7 +76,7 @@ class SceneFrames {
 };
 
 /// Returns the scene on the first rank; null on the others, and if the surface is too large (collective). "fields" has
-/// the entries of io/fields.hpp with "values": for each component a base64 array of floats, or one number if all values
+/// the entries of io/fields.hpp and the modes ("is_mode") with "values": for each component a base64 array of floats, or one number if all values
 /// are equal. Throws like sampled_surface().
 Json scene_json(const computation::Solution& solution, const solution::Summary& summary,
                 const problem::UnitNames& units = {}, const SceneFrames& frames = {},

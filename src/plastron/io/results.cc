@@ -154,11 +154,7 @@ Json fields_json(const computation::Result& result, const std::vector<double>& h
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
   for (const computation::Mode& mode : result.solution ? result.solution->modes : result.modes)
-    list.push_back({{"key", mode.name()},
-                    {"arrays", {mode.name()}},
-                    {"symbol", "v"},
-                    {"unit", "1"},
-                    {"meaning", "displacement of the mode; the largest is 1"}});
+    list.push_back(field_json(mode));
   if (result.estimates)
     list.push_back({{"key", "error_indicator"},
                     {"arrays", {"error_indicator"}},
