@@ -192,7 +192,8 @@ std::string modes_html(const Json& results) {
   if (at_path(results, "modes").empty()) return "";
   return records_html(results, "modes", {"<mode", "load factor", "frequency [Hz]"},
                       {"name", "load_factor", "frequency"}) +
-         "<p>The touching nodes are held on their obstacles. The shapes are fields of <a "
+         "<p>The touching nodes are held on their obstacles. Shape in the view below shows a mode. The shapes are also "
+         "fields of <a "
          "href=\"solution.vtu\">solution.vtu</a>.</p>\n";
 }
 
