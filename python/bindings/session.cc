@@ -3,6 +3,7 @@
 #include <plastron/algebra/session.hpp>
 #include <plastron/algebra/threads.hpp>
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -56,8 +57,8 @@ MPI_Comm communicator(const py::object& comm) {
 
 namespace {
 
-std::mutex& one_at_a_time() {
-  static std::mutex mutex;
+std::timed_mutex& one_at_a_time() {
+  static std::timed_mutex mutex;
   return mutex;
 }
 
@@ -88,26 +89,23 @@ bool& is_forking() {
   return flag;
 }
 
-void before_fork() {
+}  // namespace
+
+void begin_fork() {
   if (is_computing()) return;  // a callback of a computation
-  const py::gil_scoped_release release;
-  one_at_a_time().lock();
+  const auto locks = [] {
+    const py::gil_scoped_release release;
+    return one_at_a_time().try_lock_for(std::chrono::milliseconds(100));
+  };
+  while (!locks())
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   is_forking() = true;
 }
 
-void after_fork() {
+void end_fork() {
   if (!is_forking()) return;
   is_forking() = false;
   one_at_a_time().unlock();
-}
-
-}  // namespace
-
-void let_forks_wait() {
-  using namespace py::literals;
-  py::module_::import("os").attr("register_at_fork")("before"_a = py::cpp_function(&before_fork),
-                                                     "after_in_parent"_a = py::cpp_function(&after_fork),
-                                                     "after_in_child"_a = py::cpp_function(&after_fork));
 }
 
 }  // namespace plastron::python

@@ -43,7 +43,9 @@ class Turn {
   bool is_first_;
 };
 
-/// Lets processes start between computations only. The copy of a process has no other thread, and what one was doing stays undone in it.
-void let_forks_wait();
+/// Waits until no other thread uses the libraries, and keeps them until end_fork(), here and in the processes that start meanwhile: the
+/// copy of a process has no other thread, and what one was doing stays undone in it. Signals end the waiting with their exception.
+void begin_fork();
+void end_fork();
 
 }  // namespace plastron::python

@@ -286,6 +286,8 @@ PYBIND11_MODULE(_solver, module) {
   module.def("results_near", &results_near);
   module.def("verify", &verify);
   module.def("load", &load);
-  let_forks_wait();
+  module.def("begin_fork", &begin_fork);
+  module.def("end_fork", &end_fork);
+  py::module_::import("os").attr("register_at_fork")(py::arg("after_in_child") = module.attr("end_fork"));
   py::module_::import("atexit").attr("register")(module.attr("end_session"));
 }

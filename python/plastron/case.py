@@ -75,14 +75,23 @@ class Case:
         case._set(text, os.fspath(pathlib.Path(folder) / "case.toml"), [], functions)
         return case
 
-    def _set(self, text: str, file_name: str, settings: list[str], functions: dict[str, Any] | None = None) -> None:
+    def _set(
+        self,
+        text: str,
+        file_name: str,
+        settings: list[str],
+        functions: dict[str, Any] | None = None,
+        directory: str | None = None,
+    ) -> None:
+        """``directory``: the working directory from which ``file_name`` is seen; the present one, if it is not given."""
         functions = functions or {}
+        directory = _working_directory() if directory is None else directory
         if functions:
             from .functions import give
 
             give(functions)
-        effective, self._text, files = _case.read(text, file_name, settings)
-        self._working_directory = os.getcwd()
+        effective, self._text, files = _case.read(text, _from_here(directory, file_name), settings)
+        self._directory = directory
         self._given, self._file_name, self._settings, self._functions = text, file_name, settings, functions
         self._effective = json.loads(effective)
         self._files = dict(files)
@@ -110,7 +119,7 @@ class Case:
     @property
     def files(self) -> dict[str, str]:
         """The files that the case names: name -> path."""
-        return {name: self._from_here(path) for name, path in self._files.items()}
+        return {name: _from_here(self._directory, path) for name, path in self._files.items()}
 
     def to_dict(self) -> dict[str, Any]:
         """Returns all settings with their defaults, in the form of the case file."""
@@ -136,7 +145,7 @@ class Case:
         text = toml_edit.removed(self._plain_text(), tuple(_parts(key)))
         if text is None:
             raise KeyError(f"{key}: the text of this case has no such key" + " (its value is a default)" * (key in self))
-        self._set(text, self._from_here(self._file_name), [], self._functions)
+        self._set(text, self._file_name, [], self._functions, self._directory)
 
     def update(self, settings: Mapping[str, Any]) -> None:
         """Replaces several values at once: key -> value. They need to fit together only afterwards."""
@@ -150,7 +159,7 @@ class Case:
         added = [f"{key}={toml_text.value(value, functions)}" for key, value in settings.items() if key not in sections]
         replaced = tuple(key + end for key in settings for end in "=.[")
         kept = [s for s in kept if not s.replace(" ", "").startswith(replaced)]
-        self._set(text, self._from_here(self._file_name), kept + added, functions)
+        self._set(text, self._file_name, kept + added, functions, self._directory)
 
     def _is_section(self, key: str, value: Any) -> bool:
         """Whether a value takes the place of sections of the text. Others are settings, as after --set."""
@@ -177,10 +186,6 @@ class Case:
         copy.update(settings)
         return copy
 
-    def _from_here(self, path: str) -> str:
-        """Returns a path of the case as one from the present working directory."""
-        return path if self._working_directory == os.getcwd() else os.path.join(self._working_directory, path)
-
     def copy(self) -> Case:
         """Returns a copy that can be changed by itself."""
         copy = type(self).__new__(type(self))
@@ -193,7 +198,7 @@ class Case:
         return self.copy()
 
     def __getstate__(self) -> Any:
-        return (self._given, self._from_here(self._file_name), list(self._settings), dict(self._functions))
+        return (self._given, self._file_name, list(self._settings), dict(self._functions), self._directory)
 
     def __setstate__(self, state: Any) -> None:
         self._set(*state)
@@ -215,11 +220,24 @@ class Case:
 
         for function in self._functions.values():
             function._give(_solver)
-        return _solver.CaseText(self._given, self._from_here(self._file_name), self._settings)
+        return _solver.CaseText(self._given, _from_here(self._directory, self._file_name), self._settings)
 
     def __repr__(self) -> str:
         settings = "".join(f", {s}" for s in self._settings)
         return f"<plastron.Case {self.title or self._file_name!r}{settings}>"
+
+
+def _working_directory() -> str:
+    """Returns "" where it was removed."""
+    try:
+        return os.getcwd()
+    except FileNotFoundError:
+        return ""
+
+
+def _from_here(directory: str, path: str) -> str:
+    """Returns a path that is seen from a directory as one from the present working directory."""
+    return path if directory == _working_directory() else os.path.join(directory, path)
 
 
 def _parts(key: str) -> list[Any]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import concurrent.futures
+import contextlib
 import itertools
 import json
 import os
 import pathlib
 import pickle
-from typing import Any, Iterable, Mapping
+from typing import Any, Iterable, Iterator, Mapping
 
 from . import _case, toml_text
 from .case import Case, Path
@@ -235,9 +236,10 @@ def _solve_members(
         if executor is None:
             owned = executor = concurrent.futures.ProcessPoolExecutor(min(workers or _cores(), len(waiting)))
         try:
-            futures = {
-                executor.submit(_solve_one, members[i][1].__getstate__(), folders[i], report): i for i in waiting
-            }
+            with _between_computations(executor):
+                futures = {
+                    executor.submit(_solve_one, members[i][1].__getstate__(), folders[i], report): i for i in waiting
+                }
             for future in concurrent.futures.as_completed(futures):
                 outcomes[futures[future]] = future.result()
                 if bar:
@@ -251,6 +253,21 @@ def _solve_members(
     for (settings, _), (row, _) in zip(members, outcomes):
         texts.append({name: _text(settings[name]) for name in names} | (row or {"status": REFUSED}))
     return Table([settings for settings, _ in members], names, texts, [error for _, error in outcomes])
+
+
+@contextlib.contextmanager
+def _between_computations(executor: Any) -> Iterator[None]:
+    """Waits until no thread computes, if the executor copies this process in the block."""
+    if not isinstance(executor, concurrent.futures.ProcessPoolExecutor):
+        yield
+        return
+    from . import _solver
+
+    _solver.begin_fork()
+    try:
+        yield
+    finally:
+        _solver.end_fork()
 
 
 def _refuse_functions_for_processes(members: list[tuple[dict[str, Any], Any]], executor: Any) -> None:

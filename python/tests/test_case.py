@@ -60,10 +60,11 @@ class TestReading:
         monkeypatch.chdir(tmp_path)
         case = plastron.Case.read("case.toml")
         assert case.files == {"raster.asc": "raster.asc"} and case.file_name == "case.toml"
+        sent = pickle.dumps(case)
         monkeypatch.chdir("/")
         case["shell.E"] = 2
-        for same in (case, case.with_settings({"shell.nu": 0.2}), pickle.loads(pickle.dumps(case))):
-            assert same.files == {"raster.asc": str(tmp_path / "raster.asc")}
+        for same in (case, case.with_settings({"shell.nu": 0.2}), pickle.loads(pickle.dumps(case)), pickle.loads(sent)):
+            assert same.files == {"raster.asc": str(tmp_path / "raster.asc")} and same.file_name == "case.toml"
             assert not [finding for finding in same.check() if finding.severity == "error"]
 
     def test_title_and_file_name_are_known(self, strip_file):

@@ -193,6 +193,15 @@ except KeyboardInterrupt:
         )
         assert answer == "ended\n"
 
+    @pytest.mark.parametrize(
+        "results", ["", "[]", '{"status": 3}', '{"status": "solved", "verification": {"case": {"sha256": 1, "files": [1]}}}']
+    )
+    def test_damaged_results_are_computed_anew(self, case, tmp_path, results):
+        (tmp_path / "0001").mkdir()
+        (tmp_path / "0001/results.json").write_text(results)
+        table = plastron.sweep(case, {"shell.thickness": [0.04]}, directory=tmp_path, workers=1)
+        assert table["status"] == ["solved"]
+
     @pytest.mark.parametrize("order", ["a_thread_first", "another_thread_solves"])
     def test_processes_start_whatever_threads_have_solved(self, order, tmp_path):
         text = STRIP.replace("refinements = 1", "refinements = 4").replace("degree = 2", "degree = 3")

@@ -74,6 +74,8 @@ TEST(Mode, AsAnImperfectionIsAmplifiedAsTheBucklingLoadSays) {
 }
 
 /// Returns the reason why a shell cannot have the shape of the mode.
+float absolute(float value) { return std::abs(value); }
+
 std::string refusal_of(problem::Problem p, const FoundMode& mode) {
   p.imperfections = {{.amplitude = 1e-4, .shift = read_mode(mode.file, 1e-4, 0)}};
   try {
@@ -86,24 +88,37 @@ std::string refusal_of(problem::Problem p, const FoundMode& mode) {
 
 TEST(Mode, OfAnEarlierRunIsRemoved) {
   const ScratchDirectory scratch("earlier-modes");
+  std::ofstream(scratch.path / "buckling_kept.mode") << "a user's own";
   first_mode(scratch);
   problem::Problem p = pushed_strip();
   p.modes.buckling = 1;
   Output(scratch.path, "solution", MPI_COMM_WORLD, false).finish(computation::solve(p, MPI_COMM_WORLD), {});
   EXPECT_TRUE(std::filesystem::exists(scratch.path / "buckling_1.mode"));
   EXPECT_FALSE(std::filesystem::exists(scratch.path / "buckling_2.mode"));
+  EXPECT_TRUE(std::filesystem::exists(scratch.path / "buckling_kept.mode"));
 }
 
 TEST(Mode, IsInTheViewOfTheReport) {
   problem::Problem p = pushed_strip();
   p.modes.buckling = 2;
   const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
-  const Json scene = scene_json(*result.solution, result.summary);
-  if (scene.is_null()) return;  // on other ranks than the first
+  const computation::Solution& solution = *result.solution;
+  const Json scene = scene_json(solution, result.summary);
+  const SampledSurface surface = sampled_surface(solution, most_report_points, {}, solution.modes);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  ASSERT_EQ(scene.is_null(), rank != 0);
+  if (rank != 0) return;
   std::vector<std::string> names;
   for (const Json& field : scene["fields"])
     if (field.contains("is_mode")) names.push_back(field["key"]);
   EXPECT_EQ(names, (std::vector<std::string>{"buckling_1", "buckling_2"}));
+  ASSERT_EQ(surface.rows.size(), 6U);
+  for (const std::size_t first : {0U, 3U}) {
+    const auto largest = [&](std::size_t k) { return std::ranges::max(surface.rows[first + k], {}, absolute); };
+    EXPECT_NEAR(absolute(largest(2)), 1, 0.02) << first;  // the strip bends out of its plane
+    EXPECT_LT(absolute(largest(0)), 0.1) << first;
+  }
 }
 
 TEST(Mode, BelongsToOneShell) {

@@ -63,7 +63,7 @@ const Report& in_plain_units(const Kind& kind) {
   return known.at(name);
 }
 
-/// Both with other moduli. units_test.cc tests more units with a single computation.
+/// Two systems with other units of length and force, and other moduli. units_test.cc tests more units with a single computation.
 class EveryStudy : public testing::TestWithParam<Units> {};
 INSTANTIATE_TEST_SUITE_P(Of, EveryStudy, testing::Values(Units{1e-6, 1e3}, Units{1e6, 1e-4}),
                          [](const auto& units) { return fmt::format("{}", units.index); });

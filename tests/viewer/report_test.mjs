@@ -93,10 +93,14 @@ const tests = {
     await colours.selectOption('u:length');
     assert.equal(await shape.inputValue(), '', 'other quantities are of the solution');
     await shape.selectOption('buckling_2');
+    await shape.selectOption('');
+    assert.equal(await colours.inputValue(), 'u:length', 'the solution has its former colours');
+    assert.equal(Number(await page.locator('#view').getAttribute('data-time')), results.history.at(-1).time);
+    await shape.selectOption('buckling_1');
     await page.getByLabel('Instant of the steps').fill('0');
     assert.equal(await shape.inputValue(), '');
-    await shape.selectOption('');
-    assert.equal(Number(await page.locator('#view').getAttribute('data-time')), results.history.at(-1).time);
+    assert.equal(await colours.inputValue(), 'u:length');
+    await page.getByLabel('Instant of the steps').fill('1');
   },
   async 'shows and hides its layers'() {
     for (const label of ['mesh', 'undeformed', 'obstacles', 'contact boundary']) {

@@ -43,13 +43,15 @@ export function startReport(place, scene) {
     probe.show(point);
   };
   const showValues = (x, y) => showPoint(state.frame === last ? view.pick(x, y) : -1);
-  const scales = scalesFor(scene, view.size);
-  const slider = deformationSlider(scales, (scale) => {
+  const slider = deformationSlider(scalesFor(scene, view.size), (scale) => {
     view.setScale(scale);
     place.dataset.scale = String(scale);
   });
 
-  const colours = choice('Colours', quantities, state.quantity, (id) => setQuantity(id));
+  const colours = choice('Colours', quantities, state.quantity, (id) => {
+    state.beside = undefined;
+    setQuantity(id);
+  });
   // Frames before the last one hold u, r and eta. Another quantity brings back the last frame, and an earlier frame brings back a quantity that it has.
   const setQuantity = (id) => {
     state.quantity = id;
@@ -62,19 +64,22 @@ export function startReport(place, scene) {
     place.dataset.time = String(frame.time);
     if (frame !== last) showPoint(-1);
     shapes.querySelector('select').value = '';
+    if (state.beside) [state.quantity, state.beside] = [state.beside, undefined];
+    colours.querySelector('select').value = state.quantity;
     if (!quantities.find((q) => q.id === state.quantity).values(frame)) setQuantity('u:length');
     view.setFrame(frame);
     paint();
   });
-  // A mode has the colours of its own displacement alone: others bring back the solution.
+  // A mode has the colours of its own displacement: others bring back the solution, which has its former colours (state.beside).
   const shapes = choice('Shape', [{ id: '', label: 'solution' }, ...scene.modes.map(({ key }) => ({ id: key, label: key }))], '', (key) => {
     steps.reset();
     if (!key) return;
-    state.frame = visibleMode(scene.modes.find((mode) => mode.key === key), view.size, scales.start);
+    state.beside = state.quantity;
+    if (view.scale === 0) slider.reset();
+    state.frame = visibleMode(scene.modes.find((mode) => mode.key === key), view.size, view.scale);
     showPoint(-1);
     view.setFrame(state.frame);
     setQuantity(`${key}:length`);
-    slider.reset();
     shapes.querySelector('select').value = key;
   });
   options.append(

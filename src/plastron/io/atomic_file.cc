@@ -277,4 +277,15 @@ void remove_file(const std::filesystem::path& path, MPI_Comm comm) {
   });
 }
 
+void remove_files(const std::filesystem::path& directory, MPI_Comm comm,
+                  const std::function<bool(const std::string&)>& is_chosen) {
+  together("remove files from", directory, comm, [&] {
+    if (rank_in(comm) != 0) return;
+    std::vector<std::filesystem::path> chosen;
+    for (const auto& entry : std::filesystem::directory_iterator(directory))
+      if (entry.is_regular_file() && is_chosen(entry.path().filename().string())) chosen.push_back(entry.path());
+    for (const auto& path : chosen) std::filesystem::remove(path);
+  });
+}
+
 }  // namespace plastron::io

@@ -77,4 +77,8 @@ void remove_empty(const std::vector<std::filesystem::path>& directories, MPI_Com
 /// Removes a file; no error if it does not exist.
 void remove_file(const std::filesystem::path& path, MPI_Comm comm);
 
+/// Removes the files of a directory whose names are chosen; the first rank chooses.
+void remove_files(const std::filesystem::path& directory, MPI_Comm comm,
+                  const std::function<bool(const std::string&)>& is_chosen);
+
 }  // namespace plastron::io

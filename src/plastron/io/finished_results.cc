@@ -11,12 +11,14 @@ namespace plastron::io {
 
 namespace {
 
+using Files = std::vector<std::pair<std::string, std::filesystem::path>>;
+
 /// Whether the file has the checksum that an entry of results.json claims.
-bool is_unchanged(const Json& entry, const std::vector<std::pair<std::string, std::filesystem::path>>& files) {
-  const auto named = std::ranges::find(files, entry.value("name", ""), [](const auto& file) { return file.first; });
+bool is_unchanged(const Json& entry, const Files& files) {
+  const auto named = std::ranges::find(files, entry.at("name").get<std::string>(), &Files::value_type::first);
   if (named == files.end()) return false;
   try {
-    return checksum_of_file(named->second).hash == entry.value("sha256", "");
+    return checksum_of_file(named->second).hash == entry.at("sha256");
   } catch (const std::runtime_error&) {  // there is no such file any more
     return false;
   }
@@ -24,17 +26,20 @@ bool is_unchanged(const Json& entry, const std::vector<std::pair<std::string, st
 
 }  // namespace
 
-Json finished_results(const std::filesystem::path& folder, std::string_view case_text,
-                      const std::vector<std::pair<std::string, std::filesystem::path>>& files) {
+Json finished_results(const std::filesystem::path& folder, std::string_view case_text, const Files& files) {
   std::ifstream stream(folder / results_name, std::ios::binary);
   if (!stream) return nullptr;
-  Json results = Json::parse(stream, nullptr, false);
-  const Json::json_pointer hash("/verification/case/sha256"), named("/verification/case/files");
-  if (!results.is_object() || !results.contains(hash) || !results.contains(named)) return nullptr;
-  const bool is_same = results[hash] == checksum_of_text(case_text).hash &&
-                       results.value("status", "") != "interrupted" &&
-                       std::ranges::all_of(results[named], [&](const Json& file) { return is_unchanged(file, files); });
-  return is_same ? results : Json();
+  try {
+    Json results = Json::parse(stream);
+    const Json& source = results.at("verification").at("case");
+    const auto is_same = [&](const Json& file) { return is_unchanged(file, files); };
+    if (results.at("status") == "interrupted" || source.at("sha256") != checksum_of_text(case_text).hash)
+      return nullptr;
+    const auto& claimed = source.at("files").get_ref<const Json::array_t&>();
+    return std::ranges::all_of(claimed, is_same) ? results : Json();
+  } catch (const Json::exception&) {  // no results of ours
+    return nullptr;
+  }
 }
 
 }  // namespace plastron::io

@@ -1,6 +1,5 @@
 #include <plastron/io/mode_file.hpp>
 
-#include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/io/binary_file.hpp>
 #include <plastron/mesh/basis.hpp>
@@ -15,6 +14,8 @@
 namespace plastron::io {
 
 namespace {
+
+constexpr std::string_view mode_ending = ".mode";
 
 ModeHeader header_of(const fem::Space& space) {
   return {.corners = static_cast<std::uint32_t>(mesh::corner_count(space.shape())),
@@ -69,18 +70,12 @@ std::vector<std::string> add_modes(const computation::Solution& solution, const 
   return names;
 }
 
-void remove_other_modes(const std::filesystem::path& directory, const std::vector<std::string>& names, MPI_Comm comm) {
-  algebra::in_agreement(comm, [&] {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    if (rank != 0) return;
-    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-      const std::string name = entry.path().filename().string();
-      const bool is_ours =
-          name.ends_with(mode_ending) && (name.starts_with("buckling_") || name.starts_with("vibration_"));
-      if (is_ours && std::ranges::count(names, name) == 0) std::filesystem::remove(entry.path());
-    }
-  });
+bool is_mode_name(std::string_view name) {
+  const bool is_ours = name.starts_with("buckling_") || name.starts_with("vibration_");
+  if (!is_ours || !name.ends_with(mode_ending)) return false;
+  name.remove_prefix(name.find('_') + 1);
+  name.remove_suffix(mode_ending.size());
+  return !name.empty() && name.find_first_not_of("0123456789") == name.npos;
 }
 
 namespace {

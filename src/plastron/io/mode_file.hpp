@@ -17,8 +17,6 @@
 
 namespace plastron::io {
 
-inline constexpr std::string_view mode_ending = ".mode";
-
 struct ModeHeader {
   std::array<char, 8> magic{'P', 'L', 'A', 'S', 'M', 'O', 'D', 'E'};
   std::uint32_t version = 1;
@@ -36,8 +34,8 @@ using ModeRecord = std::array<double, 11>;
 std::vector<std::string> add_modes(const computation::Solution& solution, const std::filesystem::path& directory,
                                    AtomicFiles& files);
 
-/// Removes the modes of an earlier run, those without a name in `names` (collective).
-void remove_other_modes(const std::filesystem::path& directory, const std::vector<std::string>& names, MPI_Comm comm);
+/// Whether add_modes() gives files such names: buckling_1.mode, vibration_12.mode.
+bool is_mode_name(std::string_view name);
 
 /// Reads a mode, multiplied by `amplitude`, for a mesh in space of so many cells or for a plane domain (0). Throws
 /// UnusableResults: no such file, another format or version, incomplete, another mesh in space, or values that are not finite.

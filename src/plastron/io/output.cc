@@ -39,7 +39,7 @@ bool is_written(std::string_view name, std::string_view base_name) {
   const bool is_of_contact = name.starts_with("contact-"), is_of_line = name.starts_with("line-");
   const bool are_fields = name.starts_with(base_name) || name.starts_with("obstacles") || name.starts_with("solid");
   return std::ranges::find(exact, name) != exact.end() || ((is_of_contact || is_of_line) && name.ends_with(".csv")) ||
-         ((is_of_contact || are_fields) && name.ends_with(".vtu")) || name.ends_with(mode_ending) ||
+         ((is_of_contact || are_fields) && name.ends_with(".vtu")) || is_mode_name(name) ||
          (name.starts_with(base_name) && std::ranges::any_of(std::array{".pvd", ".plastron", ".case.toml"},
                                                              [&](const char* end) { return name.ends_with(end); }));
 }
@@ -160,7 +160,8 @@ std::vector<std::string> Output::finish(const computation::Result& result, Prove
   add_checksums();
   files_.commit(results_name);
   if (boundary.empty()) remove_contact_report(directory_, files_.comm());
-  remove_other_modes(directory_, names_, files_.comm());
+  remove_files(directory_, files_.comm(),
+               [&](const std::string& name) { return is_mode_name(name) && std::ranges::count(names_, name) == 0; });
   if (!with_report_) remove_file(directory_ / report_name, files_.comm());
   if (given_.solid_layers == 0) remove_file(directory_ / solid_name, files_.comm());
   names_.emplace_back(results_name);

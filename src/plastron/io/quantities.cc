@@ -17,7 +17,10 @@ double penetration(double min_gap_between) { return std::max(-min_gap_between, 0
 
 }  // namespace
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+  if (value == 0) return 0.0;
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json triple(const Eigen::Vector3d& v) { return Json::array({number(v[0]), number(v[1]), number(v[2])}); }
 

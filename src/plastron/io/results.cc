@@ -196,15 +196,6 @@ void clear_parameters(Json& json) {
       clear_parameters(value);
 }
 
-/// The sign of a zero is chance: it differs between two runs of one case.
-void drop_signs_of_zeros(Json& json) {
-  for (Json& value : json)
-    if (value.is_structured())
-      drop_signs_of_zeros(value);
-    else if (value.is_number_float() && value.get<double>() == 0)
-      value = 0.0;
-}
-
 }  // namespace
 
 Json results_json(const computation::Result& result, const Provenance& provenance) {
@@ -231,7 +222,6 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["levels"] = Json::array();
   for (const computation::Level& level : result.levels) json["levels"].push_back(level_json(level));
   if (result.summary.is_in_space) clear_parameters(json);
-  drop_signs_of_zeros(json);
   json["settings"] = provenance.settings;
   json["versions"] = versions_json();
   json["files"] = provenance.files;
