@@ -43,8 +43,8 @@ class Turn {
   bool is_first_;
 };
 
-/// Waits until no other thread uses the libraries, and keeps them until end_fork(), here and in the processes that start meanwhile: the
-/// copy of a process has no other thread, and what one was doing stays undone in it. Signals end the waiting with their exception.
+/// Waits until no other thread computes. No thread begins a computation before end_fork(). A child process has a copy of this thread
+/// alone, and would keep the half-done computation of another one. The child calls end_fork(), too. Ctrl-C ends the waiting.
 void begin_fork();
 void end_fork();
 

@@ -6,6 +6,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/computation/sensitivity.hpp>
+#include <plastron/io/mode_file.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/workflow/output_directory.hpp>
 #include <plastron/workflow/read.hpp>
@@ -286,6 +287,7 @@ PYBIND11_MODULE(_solver, module) {
   module.def("results_near", &results_near);
   module.def("verify", &verify);
   module.def("load", &load);
+  module.def("is_mode_name", [](const std::string& name) { return plastron::io::is_mode_name(name); });
   module.def("begin_fork", &begin_fork);
   module.def("end_fork", &end_fork);
   py::module_::import("os").attr("register_at_fork")(py::arg("after_in_child") = module.attr("end_fork"));

@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 import json
 import pathlib
-import re
 import shutil
 import weakref
 from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator
@@ -18,8 +17,6 @@ from .errors import PointError, ResultsError
 if TYPE_CHECKING:
     from .case import Case, Path
     from .solving import Verification
-
-_MODE = re.compile(r"(buckling|vibration)_\d+\.mode")
 
 
 class Record:
@@ -270,8 +267,8 @@ class Result(Record):
             for name in [name for name in names if name != "results.json"] + ["results.json"]:
                 if (self._directory / name).exists():
                     shutil.copy2(self._directory / name, target / name)
-            for path in target.glob("*.mode"):
-                if _MODE.fullmatch(path.name) and path.name not in names:  # of an earlier result
+            for path in target.iterdir():
+                if _solver.is_mode_name(path.name) and path.name not in names:  # of an earlier result
                     path.unlink()
         _solver.barrier(self._comm)
         return target

@@ -49,7 +49,7 @@ export function startReport(place, scene) {
   });
 
   const colours = choice('Colours', quantities, state.quantity, (id) => {
-    state.beside = undefined;
+    state.solutionQuantity = undefined;
     setQuantity(id);
   });
   // Frames before the last one hold u, r and eta. Another quantity brings back the last frame, and an earlier frame brings back a quantity that it has.
@@ -64,17 +64,17 @@ export function startReport(place, scene) {
     place.dataset.time = String(frame.time);
     if (frame !== last) showPoint(-1);
     shapes.querySelector('select').value = '';
-    if (state.beside) [state.quantity, state.beside] = [state.beside, undefined];
+    if (state.solutionQuantity) [state.quantity, state.solutionQuantity] = [state.solutionQuantity, undefined];
     colours.querySelector('select').value = state.quantity;
     if (!quantities.find((q) => q.id === state.quantity).values(frame)) setQuantity('u:length');
     view.setFrame(frame);
     paint();
   });
-  // A mode has the colours of its own displacement: others bring back the solution, which has its former colours (state.beside).
+  // A mode has the colours of its own displacement: others bring back the solution, in its former colours (state.solutionQuantity).
   const shapes = choice('Shape', [{ id: '', label: 'solution' }, ...scene.modes.map(({ key }) => ({ id: key, label: key }))], '', (key) => {
     steps.reset();
     if (!key) return;
-    state.beside = state.quantity;
+    state.solutionQuantity = state.quantity;
     if (view.scale === 0) slider.reset();
     state.frame = visibleMode(scene.modes.find((mode) => mode.key === key), view.size, view.scale);
     showPoint(-1);

@@ -18,8 +18,8 @@ int usable_cores();
 /// machine. Called once, by Session.
 void restrict_threads(int threads, int ranks);
 
-/// Stops the threads of OpenMP for the calling thread: these settings belong to each thread. A process must not start them before it
-/// is copied by fork(), since GNU's OpenMP would wait for them in the copy for ever.
+/// Gives the calling thread one thread of OpenMP, because OpenMP keeps these settings for each thread. A process must not start others
+/// before fork(): GNU's OpenMP would wait in the child for threads that the child does not have.
 void restrict_openmp();
 
 /// Largest number of threads at a time: 1 before restrict_threads().

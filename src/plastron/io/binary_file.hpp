@@ -1,4 +1,4 @@
-// Binary files of ours: bytes for writing, and a file that is being read.
+// The binary files of the program: how bytes are written and read.
 #pragma once
 #include <cstddef>
 #include <cstdint>

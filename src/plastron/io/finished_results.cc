@@ -37,7 +37,7 @@ Json finished_results(const std::filesystem::path& folder, std::string_view case
       return nullptr;
     const auto& claimed = source.at("files").get_ref<const Json::array_t&>();
     return std::ranges::all_of(claimed, is_same) ? results : Json();
-  } catch (const Json::exception&) {  // no results of ours
+  } catch (const Json::exception&) {  // results.json is damaged
     return nullptr;
   }
 }

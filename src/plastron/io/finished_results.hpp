@@ -10,8 +10,8 @@
 
 namespace plastron::io {
 
-/// Returns results.json of a folder if a run to its end has written it, and its case had this text and named the same files with
-/// the same contents; otherwise null.
+/// Returns results.json of a folder if its run was not interrupted, and if its case had this text and files with the same contents.
+/// Otherwise returns null.
 Json finished_results(const std::filesystem::path& folder, std::string_view case_text,
                       const std::vector<std::pair<std::string, std::filesystem::path>>& files);
 

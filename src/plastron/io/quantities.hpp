@@ -24,7 +24,7 @@ struct Quantity {
   Form form = Form::number;
 };
 
-/// Returns null for infinity and NaN, which JSON does not have. Zeros get no sign: it is chance, and differs between two runs of a case.
+/// Returns null for infinity and NaN, which JSON does not have. A zero gets no sign: two runs of a case may have different ones.
 Json number(double value);
 Json triple(const Eigen::Vector3d& v);
 Json pair(const Eigen::Vector2d& v);

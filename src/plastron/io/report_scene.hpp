@@ -76,8 +76,8 @@ class SceneFrames {
 };
 
 /// Returns the scene on the first rank; null on the others, and if the surface is too large (collective). "fields" has
-/// the entries of io/fields.hpp and the modes ("is_mode") with "values": for each component a base64 array of floats, or one number if all values
-/// are equal. Throws like sampled_surface().
+/// the entries of io/fields.hpp and the modes ("is_mode") with "values": for each component a base64 array of floats, or one
+/// number if all values are equal. Throws like sampled_surface().
 Json scene_json(const computation::Solution& solution, const solution::Summary& summary,
                 const problem::UnitNames& units = {}, const SceneFrames& frames = {},
                 std::int64_t most_points = most_report_points);

@@ -192,9 +192,8 @@ std::string modes_html(const Json& results) {
   if (at_path(results, "modes").empty()) return "";
   return records_html(results, "modes", {"<mode", "load factor", "frequency [Hz]"},
                       {"name", "load_factor", "frequency"}) +
-         "<p>The touching nodes are held on their obstacles. The view, if the page has one, shows the first shapes "
-         "(choice "
-         "Shape). All are fields of <a href=\"solution.vtu\">solution.vtu</a>.</p>\n";
+         "<p>The touching nodes are held on their obstacles. All shapes are fields of <a "
+         "href=\"solution.vtu\">solution.vtu</a>, the view shows the first ones.</p>\n";
 }
 
 std::string estimates_html(const Json& results) {
