@@ -41,6 +41,20 @@ if comm.rank == 0:
     assert command("verify", "out", directory=tmp_path).returncode == 0
 
 
+def test_a_process_alone_makes_no_folder_for_mpi(tmp_path):
+    """Processes that share a folder remove it while another one starts."""
+    answer = python(
+        f"""
+import os
+os.environ["TMPDIR"] = "/dev/null/none"
+import plastron
+print(plastron.solve(plastron.Case.from_text({STRIP!r}), output="out", warn=False).status)
+""",
+        tmp_path,
+    )
+    assert answer == "solved\n"
+
+
 def test_derivatives_on_two_ranks_are_those_of_one(tmp_path):
     keys = ["shell.E", "shell.thickness", "load[0].force[2]"]
     alone = quiet(plastron.Case.from_text(STRIP).solve, report=False).derivatives(keys)

@@ -117,6 +117,17 @@ TEST(Job, whose_processes_cannot_all_read_the_case_ends_with_one_error) {
   EXPECT_EQ(outcome.output.find("no-such.toml: error", first + 1), std::string::npos) << outcome.output;
 }
 
+// A shared folder would be removed by the program that ends first while another one starts.
+TEST(Start, of_a_program_alone_makes_no_folder_for_mpi) {
+  const Scratch scratch;
+  scratch.write("case.toml", strip(0));
+  const std::string nowhere = "unset OMPI_MCA_orte_tmpdir_base; export TMPDIR=/dev/null/none; ";
+  for (const std::string command : {"check case.toml", "run case.toml -o A -q"}) {
+    const Outcome outcome = shell(nowhere + "$PLASTRON " + command, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  }
+}
+
 TEST(Output, may_be_called_out_and_threads_may_be_given) {
   const Scratch scratch;
   scratch.write("case.toml", strip(0));

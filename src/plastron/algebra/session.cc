@@ -14,8 +14,9 @@ namespace plastron::algebra {
 namespace {
 
 /// While it exists, a process without a launcher starts under Open MPI without a daemon and without a search for the
-/// machine's networks. These cost 0.3 s, most of a small run. Other implementations of MPI ignore these names. Settings
-/// of the user are kept.
+/// machine's networks. These cost 0.3 s, most of a small run. It also starts without a session folder: all such processes of a
+/// user share the folder of job 0, and one that ends removes it while another one enters it. Other implementations of
+/// MPI ignore these names. Settings of the user are kept.
 class StartAlone {
  public:
   StartAlone() {
@@ -34,7 +35,8 @@ class StartAlone {
     const char *name, *value;
   };
   static constexpr std::array settings{Setting{"OMPI_MCA_ess_singleton_isolated", "1"}, Setting{"OMPI_MCA_pml", "ob1"},
-                                       Setting{"OMPI_MCA_btl", "self"}};
+                                       Setting{"OMPI_MCA_btl", "self"},
+                                       Setting{"OMPI_MCA_orte_create_session_dirs", "0"}};
 
   static bool setenv_if_absent(const char* name, const char* value) {
     return !std::getenv(name) && setenv(name, value, 0) == 0;
