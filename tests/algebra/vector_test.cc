@@ -1,10 +1,13 @@
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/vector.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -68,6 +71,24 @@ TEST(Gather, of_all_ranks_has_the_values_in_the_order_of_the_ranks_everywhere) {
   for (int r = 0; r < std::max(1, ranks() - 1); ++r)
     expected.insert(expected.end(), static_cast<std::size_t>(r) + 1, r);
   EXPECT_EQ(algebra::gather_over_ranks(mine, MPI_COMM_WORLD), expected);
+}
+
+TEST(Gathered, items_come_by_rank_to_every_rank_or_to_the_first_one) {
+  struct Item {
+    std::int64_t number;
+    std::array<char, 3> text;
+    bool operator==(const Item&) const = default;
+  };
+  const auto items_of = [](int r) {
+    return std::vector<Item>(static_cast<std::size_t>(2 * r % 3), Item{r, {'a', 'b', static_cast<char>('0' + r)}});
+  };
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  std::vector<Item> all;
+  for (int r = 0; r < ranks; ++r) std::ranges::copy(items_of(r), std::back_inserter(all));
+  EXPECT_EQ(algebra::gathered(items_of(rank()), MPI_COMM_WORLD), all);
+  if (rank() > 0) all.clear();
+  EXPECT_EQ(algebra::gathered(items_of(rank()), MPI_COMM_WORLD, algebra::Receivers::first_rank), all);
 }
 
 TEST(Gather, of_more_values_than_mpi_can_count_is_refused_on_all_ranks) {

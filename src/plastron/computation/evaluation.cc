@@ -1,12 +1,14 @@
 #include <plastron/computation/evaluation.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/zones/contact_zones.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <span>
+#include <type_traits>
 
 namespace plastron::computation {
 
@@ -48,6 +50,29 @@ std::optional<PointValues> local_values(const Solution& solution, const fem::Loc
     if (const auto xi = fem::local_coordinates(space.shape(), space.cells[c], location))
       return recovery::Recovery(*solution.discrete, solution.nodal, {*xi}, solution.recovery)(c).front();
   return std::nullopt;
+}
+
+/// The numbers of a double, or of a vector of doubles.
+template <class Value>
+auto entries(Value& value) {
+  if constexpr (std::is_arithmetic_v<std::remove_const_t<Value>>)
+    return std::span(&value, 1);
+  else
+    return std::span(value.data(), static_cast<std::size_t>(value.size()));
+}
+
+void append_numbers(const PointValues& point, std::vector<double>& to) {
+  const auto append = [&](const auto& value) { to.insert(to.end(), entries(value).begin(), entries(value).end()); };
+  std::apply([&](const auto&... values) { (append(values), ...); }, recovery::numbers_of(point));
+}
+
+void set_numbers(std::span<const double> from, PointValues& point) {
+  const auto set = [&](auto& value) {
+    const auto to = entries(value);
+    std::ranges::copy(from.first(to.size()), to.begin());
+    from = from.subspan(to.size());
+  };
+  std::apply([&](auto&... values) { (set(values), ...); }, recovery::numbers_of(point));
 }
 
 std::vector<fem::Location> located(const mesh::CoarseMesh& coarse, const std::vector<Eigen::Vector2d>& points,
@@ -138,22 +163,24 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
     for (const fem::Location& location : locations) mine.push_back(local_values(solution, location));
     return mine;
   });
-  // The lowest rank that contains a point sends its values to the others. PointValues contains only doubles.
-  constexpr std::size_t size = sizeof(PointValues) / sizeof(double);
-  static_assert(sizeof(PointValues) % sizeof(double) == 0);
-  std::vector<PointValues> values;
-  values.reserve(found.size());
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  std::vector<int> owners;
-  owners.reserve(found.size());
-  for (const auto& point : found) owners.push_back(point ? rank : std::numeric_limits<int>::max());
-  MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_MIN, comm);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    PointValues shared = found[i].value_or(PointValues{});
-    MPI_Bcast(&shared, static_cast<int>(size), MPI_DOUBLE, owners[i], comm);
-    values.push_back(shared);
-  }
+  std::vector<std::size_t> own_points;
+  std::vector<double> own_numbers;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i]) {
+      own_points.push_back(i);
+      append_numbers(*found[i], own_numbers);
+    }
+  const auto found_points = algebra::gathered(own_points, comm);
+  const auto numbers = algebra::gathered(own_numbers, comm);
+  const std::size_t size = found_points.empty() ? 0 : numbers.size() / found_points.size();
+  std::vector<PointValues> values(points.size());
+  // Several ranks contain a point between their cells. The lowest one comes last, and its values remain.
+  for (std::size_t k = found_points.size(); k-- > 0;)
+    set_numbers(std::span(numbers).subspan(k * size, size), values[found_points[k]]);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    recovery::set_law(*solution.discrete,
+                      solution.discrete->shell.sections().at(*space.coarse, {.coarse = locations[i].coarse}),
+                      values[i]);
   return values;
 }
 

@@ -1,4 +1,5 @@
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/report_scene.hpp>
@@ -102,23 +103,6 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
   return records;
 }
 
-/// Returns all ranks' entries, ordered by rank, on the first rank; empty on the others (collective).
-template <class Entry>
-std::vector<Entry> gathered(const std::vector<Entry>& mine, MPI_Comm comm) {
-  int rank = 0, ranks = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &ranks);
-  const algebra::ItemType entry(sizeof(Entry), MPI_BYTE);
-  const int count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(static_cast<std::size_t>(ranks));
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm);
-  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
-  const auto total = static_cast<std::size_t>(rank == 0 ? starts.back() + counts.back() : 0);
-  std::vector<Entry> all(total);
-  MPI_Gatherv(mine.data(), count, entry.get(), all.data(), counts.data(), starts.data(), entry.get(), 0, comm);
-  return all;
-}
-
 /// Returns the values by rows, with points in the order of their keys.
 std::vector<std::vector<float>> in_rows(const PointRecords& records) {
   const std::size_t points = records.keys.size();
@@ -188,7 +172,8 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   const double least = least_pressure(solution);
   const PointRecords mine = algebra::in_agreement(
       comm, [&] { return own_points(solution, surface.cells, least, surface.fields, surface.modes); });
-  const PointRecords all{gathered(mine.keys, comm), gathered(mine.values, comm)};
+  constexpr auto first = algebra::Receivers::first_rank;
+  const PointRecords all{algebra::gathered(mine.keys, comm, first), algebra::gathered(mine.values, comm, first)};
   surface.rows = in_rows(all);
   return surface;
 }

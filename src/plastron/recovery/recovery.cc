@@ -57,6 +57,14 @@ class ContinuedResultants {
 
 }  // namespace
 
+void set_law(const assembly::DiscreteShell& discrete, const assembly::CrossSection& section, PointValues& point) {
+  point.material = section.material;
+  if (const auto laminate = section.material.laminate())
+    point.laminate = std::make_shared<shell::LaminateSection>(laminate, shell::orthonormal_frame(point.t1, point.t2),
+                                                              point.thickness, section.material.shear_correction,
+                                                              discrete.state.load_factor);
+}
+
 Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
                    const std::vector<Eigen::Vector2d>& xi, Choice choice)
     : discrete_(discrete),
@@ -93,11 +101,7 @@ std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
     points[p].a3 = frame.a3;
     points[p].curvatures = {curvatures[0], curvatures[1]};
     points[p].thickness = e[p];
-    points[p].material = section.material;
-    if (const auto laminate = section.material.laminate())
-      points[p].laminate =
-          std::make_shared<shell::LaminateSection>(laminate, shell::orthonormal_frame(axes.t1, axes.t2), e[p],
-                                                   section.material.shear_correction, discrete_.state.load_factor);
+    set_law(discrete_, section, points[p]);
   }
   return points;
 }

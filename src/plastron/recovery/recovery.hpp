@@ -4,11 +4,12 @@
 #include <plastron/shell/section_stress.hpp>
 
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace plastron::recovery {
 
-/// Results at a point. All are doubles. N, M, Q are components in the orthonormal frame (t1, t2) of surface_axes().
+/// Results at a point. N, M, Q are components in the orthonormal frame (t1, t2) of surface_axes().
 struct PointValues {
   Eigen::Vector2d x = Eigen::Vector2d::Zero();  ///< parameters in Omega
   Vector3d phi = Vector3d::Zero();              ///< position on the undeformed mid-surface [m]
@@ -30,6 +31,18 @@ struct PointValues {
   shell::Material material{};                                ///< material of the point's region
   std::shared_ptr<const shell::LaminateSection> laminate{};  ///< the laminate in these axes; null if homogeneous
 };
+
+/// Returns references to all numbers of a point: all its members but the law of the cross-section.
+template <class Point>
+auto numbers_of(Point& point) {
+  auto& [x, phi, t1, t2, a3, curvatures, thickness, u, r, gap, pressure, lambda, touching, face_pressure, face_touching,
+         N, M, Q, material, laminate] = point;
+  return std::tie(x, phi, t1, t2, a3, curvatures, thickness, u, r, gap, pressure, lambda, touching, face_pressure,
+                  face_touching, N, M, Q);
+}
+
+/// Sets the law of the cross-section of a point whose axes and thickness are known.
+void set_law(const assembly::DiscreteShell& discrete, const assembly::CrossSection& section, PointValues& point);
 
 /// The forces N, M, Q and the cross-section, which determine the stresses.
 inline shell::SectionForces section_forces(const PointValues& point) {
