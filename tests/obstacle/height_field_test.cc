@@ -130,6 +130,24 @@ TEST(AHeightField, KnowsTheDistanceOfPointsOnIt) {
     }
 }
 
+/// Narrow ridges have steep flanks, on which rounding of X and Y is rounding of the height times the slope.
+TEST(AHeightField, KnowsTheDistanceOfPointsOnTheFlanksOfNarrowRidges) {
+  std::mt19937 random(5);
+  const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  for (int k = 0; k < 60; ++k) {
+    const double high = std::pow(10, between(-2.5, -0.5)), width = high / std::pow(10, between(0, 1.5));
+    const double at = between(-0.5, 0.5), tilt = between(-1, 1), m = std::pow(10, between(-6, 6));
+    const HeightField ridge =
+        height("h*exp(-((X - a + t*Y)/w)^2)", {{"h", high * m}, {"a", at * m}, {"t", tilt}, {"w", width * m}});
+    for (int i = 0; i < 100; ++i) {
+      const double y = between(-0.2, 0.2);
+      Vector3d X = m * Vector3d(at - tilt * y + width * between(-1.5, 1.5), y, 0);
+      X[2] = -ridge.level({X[0], X[1], 0}) + high * m * 1e-16 * std::floor(between(-3, 4));
+      EXPECT_NEAR(ridge.nearest(X).distance, 0, 1e-13 * m) << X.transpose();
+    }
+  }
+}
+
 /// Two feet close to each other, with a ridge between them.
 TEST(AHeightField, KnowsTheDistanceJustBeyondACentreOfCurvature) {
   const Vector3d X(-0.86393802365193673, -0.20919910848202378, -0.093718156500470551);

@@ -31,9 +31,9 @@ Vector2d away_from_ridge(const GraphObjective& f) {
   return -eigen.vectors * (eigen.vectors.transpose() * f.gradient).cwiseQuotient(sizes);
 }
 
-/// The length that rounding is relative to.
+/// The length that the rounding of a height is relative to: on a slope, rounding of p changes the height.
 double length_of_coordinates(const Vector3d& X, const Vector2d& p, const HeightJet& h) {
-  return X.norm() + (p - X.head<2>()).norm() + (1 + h.gradient.norm()) * std::abs(X[2]);
+  return (1 + h.gradient.norm()) * X.norm() + (p - X.head<2>()).norm();
 }
 
 HeightJet jet_of(const Heights& heights, const Vector2d& p) {
@@ -106,7 +106,8 @@ HeightField::Foot HeightField::descend(const Vector3d& X, Vector2d p) const {
     }
     if (!moved) break;
   }
-  const double rounding = 1e-9 * length_of_coordinates(X, p, h);
+  // The gradient has the rounding of the height times the slope.
+  const double rounding = 1e-9 * (1 + h.gradient.norm()) * length_of_coordinates(X, p, h);
   return {p, h, f.value, f.gradient.norm() <= 1e-6 * std::max(std::sqrt(2 * f.value), rounding)};
 }
 
