@@ -360,6 +360,83 @@ TEST(Accuracy, HoldsForTrianglesAndJoinedEdgesOnEvenMeshes) {
     EXPECT_EQ(result.levels[l].cells, 4 * result.levels[l - 1].cells);
 }
 
+/// A ball or a roller presses a plate at one place, then slides along it.
+struct Sliding {
+  obstacle::Shape shape;
+  obstacle::Face face;
+  double down;
+  Eigen::Vector3d along;
+  element::Rotations rotations = element::Rotations::small;
+};
+
+problem::Problem slid_on_plate(const Sliding& sliding) {
+  problem::Problem p;
+  p.domain = domain::Rectangle{.to = {1, 0.25}, .cells = {4, 1}};
+  p.charts = {{"", Chart({"x", "y", "0"}, {})}};
+  p.shell.rotations = sliding.rotations;
+  p.shell.sections.common.thickness = Expression(0.02);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+  p.shell.supports = {clamped("left"), clamped("right"), in_plane("bottom"), in_plane("top")};
+  p.shell.obstacles.all = {{.name = "tool", .shape = sliding.shape, .face = sliding.face}};
+  p.discretisation = {.degree = 4, .refinements = 0};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 2e-2}, {"reaction", 2e-2}}};
+  p.checks_model = false;
+  return p;
+}
+
+/// Each instant is as accurate as a case of its own, with the obstacle at its place: also those between the first and the last.
+TEST(Accuracy, IsReachedAtEachInstantOfAnObstacleThatSlides) {
+  using obstacle::Face;
+  const std::vector<Sliding> all{
+      {obstacle::Cylinder{.point = {0.27, 0, 0.11}, .axis = {0, 1, 0}, .radius = 0.1},
+       Face::upper,
+       -0.005,
+       {0.41, 0, 0}},
+      {obstacle::Cylinder{.point = {0.7, 0, -0.06}, .axis = {0, 1, 0}, .radius = 0.05},
+       Face::lower,
+       0.004,
+       {-0.5, 0, 0},
+       element::Rotations::finite},
+      {obstacle::Ball{.centre = {0.31, 0.1, 0.21}, .radius = 0.2}, Face::upper, -0.004, {0.37, 0.04, 0}}};
+  for (const Sliding& sliding : all) {
+    problem::Problem p = slid_on_plate(sliding);
+    p.steps = {{.name = "press"}, {.name = "slide", .parts = 2}};
+    const Eigen::Vector3d down(0, 0, sliding.down);
+    p.shell.obstacles.all[0].motions = {{.translation = down}, {.translation = sliding.along}};
+    const Result r = solve(p, MPI_COMM_WORLD);
+    ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+    ASSERT_EQ(r.history.size(), 3U);
+    EXPECT_EQ(r.levels.back().unknowns, r.history.back().level.unknowns);
+    for (const HistoryEntry& instant : r.history) {
+      problem::Problem alone = slid_on_plate(sliding);
+      alone.shell.obstacles.all[0].placement.translation = down + (instant.time - 1) * sliding.along;
+      const Result own = solve(alone, MPI_COMM_WORLD);
+      ASSERT_EQ(own.status, contact::Status::solved) << own.missed_limits;
+      const auto value = [](const solution::Summary& s) {
+        return std::pair(s.energy.total(), s.reaction.force.norm());
+      };
+      const auto [energy, reaction] = value(own.summary);
+      const auto [energy_in_step, reaction_in_step] = value(instant.summary);
+      EXPECT_NEAR(energy_in_step / energy, 1, 3e-2) << instant.time;
+      EXPECT_NEAR(reaction_in_step / reaction, 1, 3e-2) << instant.time;
+      ASSERT_EQ(instant.level.goals.size(), 2U);
+      for (const estimation::GoalRecord& goal : instant.level.goals) EXPECT_TRUE(goal.is_met()) << goal.name;
+    }
+  }
+}
+
+/// An instant that misses the accuracy is named, also where later ones reach it.
+TEST(Accuracy, ThatIsMissedAtAnInstantIsTold) {
+  problem::Problem p = accurate_bowl(1e-2);
+  p.steps = {{.name = "down"}, {.name = "up", .load_factor = 0.1}};
+  p.accuracy->max_unknowns = 1500;
+  const Result result = solve(p, MPI_COMM_WORLD);
+  ASSERT_EQ(result.history.size(), 2U);
+  EXPECT_EQ(result.history[0].status, contact::Status::accuracy_not_reached);
+  EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
+  EXPECT_NE(result.missed_limits.find("at time 1: "), std::string::npos) << result.missed_limits;
+}
+
 /// Nearly nothing touches at the first instant. Its mesh would be too coarse for the last one.
 TEST(Accuracy, IsReachedAtTheLastInstant) {
   constexpr double tolerance = 1e-2;

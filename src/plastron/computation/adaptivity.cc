@@ -41,12 +41,12 @@ bool wants_witness(const problem::Problem& problem, const fem::Space& space, con
   return std::ranges::all_of(records, &estimation::GoalRecord::is_met);
 }
 
-bool AccuracyLoop::wants_witness(const Result& result, const fem::Space& space) const {
+bool AccuracyLoop::wants_witness(const Result& result, const Level& level, const fem::Space& space) const {
   return result.estimates && computation::wants_witness(problem_, space, *result.estimates, result.summary) &&
-         obstacle(result.levels.back(), growth_to_witness(problem_, space), space.layout->comm).empty();
+         obstacle(level, growth_to_witness(problem_, space), space.layout->comm).empty();
 }
 
-bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
+bool AccuracyLoop::wants_more(const Result& result, const Level& level, const fem::Space& space) {
   const auto& estimates = result.estimates;
   const std::vector<estimation::GoalRecord> before = std::move(goals_);
   next_.cuts.clear();
@@ -57,13 +57,13 @@ bool AccuracyLoop::wants_more(const Result& result, const fem::Space& space) {
   if (!missed_contact.empty()) missed_ += (missed_.empty() ? "" : "; ") + missed_contact;
   if (estimates)
     std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &estimation::GoalRecord::value);
-  take_note(result.levels.back(), space);
+  take_note(level, space);
   const bool has_witness =
       estimates && std::ranges::all_of(estimates->goals, [](const auto& g) { return g.at_higher_degree.has_value(); });
   wants_edges_ = missed_.empty() && !edges_are_known(estimates);
   if (missed_.empty() && !wants_edges_ && (has_witness || is_settled(before))) return false;
   const std::int64_t added = mark(space, estimates);
-  const std::string limit = limit_of_meshes(result.levels.back(), added, space);
+  const std::string limit = limit_of_meshes(level, added, space);
   if (wants_edges_)
     missed_ = fmt::format("edges of contact zones move by {:.2g} of the zones' size at one degree more",
                           *estimates->edge_change);

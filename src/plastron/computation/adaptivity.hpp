@@ -37,10 +37,10 @@ class AccuracyLoop {
         may_join_(meshing::even_boundaries(problem).empty()) {}
 
   /// Whether the goals must be computed at one degree more before wants_more (collective).
-  bool wants_witness(const Result& result, const fem::Space& space) const;
-  /// Stores the result on a mesh and returns whether another mesh is needed (collective). There are no estimates if the
+  bool wants_witness(const Result& result, const Level& level, const fem::Space& space) const;
+  /// Stores the result on a mesh, found as `level` tells, and returns whether another mesh is needed (collective). There are no estimates if the
   /// contact problem of the mesh was not solved.
-  bool wants_more(const Result& result, const fem::Space& space);
+  bool wants_more(const Result& result, const Level& level, const fem::Space& space);
   /// Cuts of the coarse cells of the mesh judged last (fem::MeshSequence::cut). If this is empty, marks() has the marks
   /// of its cells.
   const std::vector<mesh::Cuts>& cuts() const { return next_.cuts; }

@@ -2,7 +2,6 @@
 
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/passage.hpp>
-#include <plastron/computation/step_control.hpp>
 
 #include <fmt/format.h>
 
@@ -45,27 +44,6 @@ bool solve_between(Run& run, const problem::Instant& instant) {
   return solve_between(run, instant, task, std::move(discrete));
 }
 
-/// Goes to an instant in parts that are chosen, without results.
-bool choose_parts_between(Run& run, const problem::Instant& from, const problem::Instant& to) {
-  const auto solve = [&](const problem::Instant& instant, const Departure& departure, double part) {
-    LevelTask task = run.task(run.last_level());
-    auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
-    LevelResult level = solve_level(task, std::move(discrete), run.observer);
-    const Attempt attempt = judged(level.record, part);
-    run.result.status = level.record.status;
-    if (attempt.is_accepted || (!attempt.may_go_on && level.record.status != contact::Status::interrupted))
-      run.take(std::move(level));
-    else
-      run.result.solution = std::move(level.solution);
-    return attempt;
-  };
-  if (go_in_parts(run, from, to, solve)) return true;
-  using enum contact::Status;
-  const contact::Status status = run.result.status;
-  if (status != interrupted && status != solved && status != inaccurate) tell_missed(run, to);
-  return false;
-}
-
 }  // namespace
 
 bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, double done) {
@@ -85,24 +63,6 @@ bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& dis
   linearise(*discrete, run.state_at(instant));
   return solve_between(run, instant, run.task(run.last_level()), std::move(discrete)) &&
          approach(run, start, to, first);
-}
-
-bool approach_last(Run& run) {
-  const std::vector<problem::Instant>& instants = run.instants;
-  // With finite rotations the way decides which of several solutions is found.
-  const bool depends_on_way = run.problem.shell.rotations == element::Rotations::finite;
-  if (!depends_on_way &&
-      !may_pass(*run.solution().discrete, run.solution().nodal.y, instants.front().time, instants.back().time))
-    return true;
-  for (std::size_t i = 1; i < instants.size(); ++i) {
-    if (instants[i].chooses_parts) {
-      if (!choose_parts_between(run, instants[i - 1], instants[i])) return false;
-      continue;
-    }
-    if (!approach(run, instants[i - 1], instants[i])) return false;
-    if (i + 1 < instants.size() && !solve_between(run, instants[i])) return false;
-  }
-  return true;
 }
 
 }  // namespace plastron::computation

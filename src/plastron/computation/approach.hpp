@@ -15,8 +15,4 @@ bool approach(Run& run, const problem::Instant& from, const problem::Instant& to
 /// shell of the solution at hand (collective).
 bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to);
 
-/// Goes from the first instant to the last one without their results, if an obstacle could pass through the shell in
-/// one step, and always with finite rotations (collective).
-bool approach_last(Run& run);
-
 }  // namespace plastron::computation

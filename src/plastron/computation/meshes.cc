@@ -29,84 +29,73 @@ bool is_final(contact::Status status) {
 Meshes::Meshes(Run& run)
     : run_(run),
       sequence_(meshing::mesh_sequence(run.problem, run.comm)),
-      surface_(std::make_shared<const fem::Surface>(sequence_.space()->coarse, run.problem.charts)),
-      instant_(&run.instants.front()) {}
+      surface_(std::make_shared<const fem::Surface>(sequence_.space()->coarse, run.problem.charts)) {}
 
-bool Meshes::solve() { return run_.problem.accuracy ? solve_to_accuracy() : solve_uniform(); }
-
-bool Meshes::solve_uniform() {
-  for (int number = 0; number <= run_.problem.discretisation.refinements; ++number)
-    if (!solve_next(number)) return false;
+bool Meshes::solve() {
+  const problem::Instant& first = run_.instants.front();
+  const int refinements = run_.problem.discretisation.refinements;
+  if (run_.problem.accuracy) {
+    for (int i = 0; i < refinements; ++i) sequence_.refine({});
+    return solve_next(first) && reach_accuracy(first);
+  }
+  for (int i = 0; i <= refinements; ++i)
+    if (!solve_next(first)) return false;
   return true;
 }
 
-bool Meshes::solve_to_accuracy() {
-  for (int i = 0; i < run_.problem.discretisation.refinements; ++i) sequence_.refine({});
-  if (!solve_for_goals()) return false;
-  if (run_.instants.size() == 1 || are_ahead_) return true;
-  const bool is_reached = approach_last(run_);
-  instant_ = &run_.instants.back();
-  // The steps on this mesh then show where the way ends.
-  if (!is_reached)
-    return run_.problem.shell.rotations == element::Rotations::finite &&
-           run_.result.status != contact::Status::interrupted && run_.result.solution;
-  cuts_.clear();
-  marks_.assign(space().owned_cells, 0);
-  run_.end_of_meshes = run_.problem.accuracy->max_seconds;  // the solution at the first instant can be the result
-  // The last instant may be unreachable at once; the steps then show where.
-  return solve_for_goals() || run_.result.status != contact::Status::interrupted;
-}
-
-bool Meshes::solve_for_goals() {
+bool Meshes::reach_accuracy(const problem::Instant& instant) {
+  if (!run_.problem.accuracy || are_ahead_) return true;
   Result& result = run_.result;
-  const bool is_first = instant_ == &run_.instants.front();
-  const int instants_to_come = run_.problem.steps.empty() ? 0 : static_cast<int>(run_.instants.size());
-  AccuracyLoop loop(run_.problem, run_.since_start, instants_to_come);
-  for (bool wants_more = true; wants_more;) {
-    const int number = static_cast<int>(result.levels.size());
-    if (!solve_next(number)) {
-      if (!run_.is_out_of_time()) return false;
-      result.status = result.levels.back().status;
-      are_ahead_ = true;
-      loop.give_up(fmt::format("the next mesh was stopped for max_seconds = {:g}", run_.problem.accuracy->max_seconds));
-      break;
-    }
-    if (loop.wants_witness(result, space())) confirm(*instant_);
-    wants_more = loop.wants_more(result, space()) && (is_first || result.estimates);
+  const bool is_first = &instant == &run_.instants.front();
+  const auto is_to_come = [&](const problem::Instant& other) { return other.time > instant.time; };
+  const auto to_come = static_cast<int>(std::ranges::count_if(run_.instants, is_to_come));
+  AccuracyLoop loop(run_.problem, run_.since_start, to_come);
+  for (;;) {
+    if (loop.wants_witness(result, run_.latest(), space())) confirm(instant);
+    const bool wants_more = loop.wants_more(result, run_.latest(), space()) && (is_first || result.estimates);
     run_.end_of_meshes = loop.end_of_meshes();
-    result.levels.back().goals = loop.goals();
-    if (run_.observer.level) run_.observer.level(number, result.levels.back());
+    run_.latest().goals = loop.goals();
+    if (judged_ < result.levels.size()) {
+      judged_ = result.levels.size();
+      result.levels.back() = run_.latest();
+      if (run_.observer.level) run_.observer.level(static_cast<int>(judged_) - 1, result.levels.back());
+    }
+    if (!wants_more) break;
     cuts_ = loop.cuts();
     marks_ = loop.marks();
-    if (is_first) continue;
-    // Cells that the first instant needs stay.
-    for (signed char& mark : marks_) mark = std::max<signed char>(mark, 0);
+    if (solve_next(instant)) continue;
+    if (!run_.is_out_of_time()) return false;
+    result.status = run_.latest().status;
+    are_ahead_ = true;
+    loop.give_up(fmt::format("the next mesh was stopped for max_seconds = {:g}", run_.problem.accuracy->max_seconds));
+    break;
   }
   run_.end_of_meshes = std::numeric_limits<double>::infinity();
   run_.missed_accuracy = loop.missed();
   return true;
 }
 
-bool Meshes::solve_next(int number) {
+bool Meshes::solve_next(const problem::Instant& instant) {
   Result& result = run_.result;
+  const int number = static_cast<int>(result.levels.size());
   result.status = contact::Status::interrupted;
   if (wants_to_stop(run_.observer, run_.comm)) return false;
   Stopwatch watch;
   LevelTask task = number == 0 ? run_.task(0) : run_.task_after_first_level(number);
   const bool is_end =
-      number == run_.problem.discretisation.refinements && run_.instants.size() == 1 && !instant_->control;
+      number == run_.problem.discretisation.refinements && run_.instants.size() == 1 && !instant.control;
   if (run_.problem.accuracy || is_end) task.goals = run_.goals();
-  assembly::State start = run_.state_at(*instant_);
+  assembly::State start = run_.state_at(instant);
   if (number > 0) refine(task, start);
   task.seconds.mesh = watch.lap();
   if (run_.observer.phase) run_.observer.phase(number, "geometry");
   auto discrete = assembly::discretise(sequence_.space(), surface_, run_.problem.shell, std::move(start));
-  if (number == 0 && !approach_from_start(run_, discrete, *instant_)) {
+  if (number == 0 && !approach_from_start(run_, discrete, instant)) {
     if (result.levels.empty()) result.solution.reset();
     return false;
   }
   if (!discrete)
-    discrete = run_.relinearised(run_.continued_at(*instant_),
+    discrete = run_.relinearised(run_.continued_at(instant),
                                  contact_trend(*run_.solution().discrete, run_.solution().nodal), task);
   task.seconds.discretisation = watch.lap();
   LevelResult level = solve_level(task, std::move(discrete), run_.observer);
@@ -137,6 +126,7 @@ std::vector<algebra::Vector> Meshes::fields_to_transfer() const {
 void Meshes::refine(LevelTask& task, assembly::State& start) {
   std::vector<algebra::Vector> fields = fields_to_transfer();
   start.positions = run_.positions();
+  run_.before.reset();  // its fields belong to this mesh
   // One mesh at a time in memory, except where this may be the last one.
   if (!run_.observer.stop) run_.result.solution.reset();
   if (!cuts_.empty()) {
@@ -169,7 +159,7 @@ void Meshes::confirm(const problem::Instant& instant) {
   for (std::size_t g = 0; g < higher.values.size(); ++g) estimates.goals[g].at_higher_degree = higher.values[g];
   if (!higher.values.empty())
     estimates.edge_change = edge_change(solution, higher.solution, run_.result.summary.least_thickness);
-  run_.result.levels.back().seconds.witness = watch.lap();
+  run_.latest().seconds.witness = watch.lap();
 }
 
 void Meshes::judge_geometry() {

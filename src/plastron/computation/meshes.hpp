@@ -1,5 +1,5 @@
-// The meshes of a computation, each solved at one instant: uniform refinements, or refinements that follow the estimated
-// errors until an accuracy is reached.
+// The meshes of a computation: uniform refinements, or refinements that follow the estimated errors of each instant until
+// an accuracy is reached.
 #pragma once
 #include <plastron/computation/run.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
@@ -15,29 +15,22 @@ class Meshes {
  public:
   explicit Meshes(Run& run);
 
-  /// Solves the meshes at the first instant; with an accuracy also at the last one. Returns whether the computation
-  /// continues (collective).
+  /// Solves the meshes at the first instant. Returns whether the computation continues (collective).
   bool solve();
-  /// Computes the goals at one degree more on the cells of the solution at hand, if that problem can be solved
-  /// (collective).
-  void confirm(const problem::Instant& instant);
+  /// Where an accuracy is requested, judges the solution at hand and solves its instant on further meshes until the
+  /// accuracy is reached or a limit stands. Cells that only earlier instants needed may be joined. Returns whether the
+  /// computation continues (collective).
+  bool reach_accuracy(const problem::Instant& instant);
   /// Estimates the errors of the solution at hand by the mesh of the mid-surface, if this is a mesh in space and errors
   /// are estimated (collective).
   void judge_geometry();
 
-  const fem::Space& space() const { return *sequence_.space(); }
-  /// The instant that is solved on each mesh.
-  const problem::Instant& instant() const { return *instant_; }
-  /// Whether the clock stopped a mesh after the one of the solution at hand.
-  bool are_ahead() const { return are_ahead_; }
-
  private:
-  bool solve_uniform();
-  bool solve_to_accuracy();
-  /// Solves meshes at the present instant until the goals are met, from the present mesh on.
-  bool solve_for_goals();
-  /// Solves the present instant on the next mesh. First guess and state come from the previous mesh.
-  bool solve_next(int number);
+  const fem::Space& space() const { return *sequence_.space(); }
+  /// Solves an instant on the next mesh. First guess and state come from the previous mesh.
+  bool solve_next(const problem::Instant& instant);
+  /// Computes the goals at one degree more on the cells of the solution at hand, if that problem can be solved.
+  void confirm(const problem::Instant& instant);
   /// Whether the models are compared on the mesh that was just solved, and not on a finer one.
   bool is_fine_enough_to_compare(int number) const;
   void refine(LevelTask& task, assembly::State& start);
@@ -50,10 +43,10 @@ class Meshes {
   Run& run_;
   fem::MeshSequence sequence_;
   std::shared_ptr<const fem::Surface> surface_;
-  const problem::Instant* instant_;
   std::vector<mesh::Cuts> cuts_{};    ///< cuts for the next mesh, where an accuracy is requested
   std::vector<signed char> marks_{};  ///< marks of cells for the next mesh, where there are no cuts
-  bool are_ahead_ = false;
+  std::size_t judged_ = 0;            ///< number of meshes that were judged
+  bool are_ahead_ = false;            ///< whether the clock stopped a mesh after the one of the solution at hand
 };
 
 }  // namespace plastron::computation

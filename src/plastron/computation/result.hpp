@@ -43,6 +43,7 @@ struct Seconds {
 /// One mesh of the sequence.
 struct Level {
   std::int64_t cells = 0, nodes = 0, unknowns = 0;
+  double time = 0;  ///< of the instant that was solved on it, where there are steps
   contact::Status status = contact::Status::solved;
   std::int64_t active = 0;  ///< nodes in contact
   int iterations = 0;       ///< active-set iterations
@@ -171,8 +172,10 @@ struct Result {
   recovery::StressPeak peak{};                             ///< peak of the last solution
   std::vector<recovery::SingularPlace> singular_places{};  ///< places that the peak ignores
   std::vector<recovery::LayerStress> layers{};             ///< stresses by layer; empty without laminates
-  std::vector<Level> levels{};                             ///< meshes of the first instant, if there are steps
-  std::vector<HistoryEntry> history{};                     ///< on the finest mesh, by instant; empty without steps
+  /// All meshes, in order. With steps: those of the first instant, and with an accuracy also those of later ones.
+  std::vector<Level> levels{};
+  /// By instant; empty without steps. Each is solved on the last mesh so far.
+  std::vector<HistoryEntry> history{};
   bool has_obstacle = false;
   element::Formulation formulation = element::Formulation::tangent;
   element::Rotations rotations = element::Rotations::small;
@@ -186,7 +189,7 @@ struct Result {
   std::optional<finite::Stability> stability{};  ///< of the last solution with finite rotations
   std::optional<ModelCheck> model{};             ///< the worst of all that were made; empty if there is none
 
-  /// Data of the last solution: on the finest mesh, at the last instant.
+  /// Data of the last solution: on the last mesh, at the last instant.
   const Level& last_level() const { return history.empty() ? levels.back() : history.back().level; }
   /// Largest eta at nodes where it is a density, without nodes of lines that touch; NaN if there are only lines [Pa].
   double max_pressure() const;

@@ -183,13 +183,15 @@ void Run::record(const problem::Instant& instant) {
   if (wants_model_check(instant)) check_model(instant.time);
   recover();
   const assembly::State& state = solution().discrete->state;
+  const std::string missed = std::exchange(missed_accuracy, {});
+  const bool is_missed = result.status == contact::Status::solved && !missed.empty();
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
                             .time = instant.time,
                             .load_factor = state.load_factor,
                             .support_factor = state.support_factor,
                             .controlled_displacement = controlled_displacement(state),
-                            .status = result.status,
-                            .missed_limits = result.missed_limits,
+                            .status = is_missed ? contact::Status::accuracy_not_reached : result.status,
+                            .missed_limits = is_missed ? missed : result.missed_limits,
                             .level = latest_,
                             .summary = result.summary,
                             .probes = result.probes,

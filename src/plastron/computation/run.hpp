@@ -47,7 +47,7 @@ class Run {
   /// The instant before that one, if no intermediate instant was solved since.
   std::optional<PreviousInstant> before{};
   Result result{};
-  std::string missed_accuracy{};  ///< text on goals that are not met
+  std::string missed_accuracy{};  ///< text on goals that the solution at hand does not meet; with steps, of its instant
   std::string missed_between{};   ///< text on limits that intermediate instants miss
 
   /// The solution at hand. Precondition: there is one.
@@ -90,6 +90,8 @@ class Run {
 
   /// Takes a level as the solution at hand.
   void take(LevelResult level);
+  /// How the solution at hand was computed.
+  Level& latest() { return latest_; }
   /// Compares the solution at hand with the model of finite rotations, unless the case leaves that out (collective).
   void check_model(double time = 0);
   /// Whether the comparison was made on a coarser mesh; its numbers are then carried to this one.

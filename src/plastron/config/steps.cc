@@ -104,7 +104,9 @@ Section step_section() {
   return {
       "step",
       "[[step]]",
-      "Steps are computed in their order on the finest mesh; each starts where the previous one ended. In a step "
+      "Steps are computed in their order; each starts where the previous one ended. All use the finest mesh. With "
+      "[accuracy] meshes follow the shell: each instant has a mesh on which it is accurate (history in results.json "
+      "has its cells and estimated errors). In a step "
       "the loads, the values of supports, the forces on obstacles and the motions of obstacles proceed in equal "
       "parts. Before the first step all of them are 0. Without steps the case is computed once, with all of them.",
       {key("name", Kind::name, {}, "a name that no other step has; step-1, step-2, ... if not given"),

@@ -38,7 +38,7 @@ constexpr std::array recomputed_of_level{
 /// Parts of the last level where there are steps: its solution belongs to the first instant.
 constexpr std::array recomputed_of_mesh{"cells", "nodes", "unknowns"};
 /// Entries of a history record that describe how its solution was found.
-constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations", "has_jumped"};
+constexpr std::array not_recomputed_of_instant{"status", "iterations", "factorisations", "has_jumped", "estimates"};
 /// Eigenvalues are found to three digits.
 constexpr double tolerance_of_margins = 3e-3;
 

@@ -320,6 +320,8 @@ std::span<const Quantity<computation::Level>> level_quantities() {
       {"nodes", "1", "nodes", [](const Level& l) { return Json(l.nodes); }, Form::integer},
       {"unknowns", "1", "unknowns, including supported ones", [](const Level& l) { return Json(l.unknowns); },
        Form::integer},
+      {"time", "1", "time of the instant that was solved on it; 0 without steps",
+       [](const Level& l) { return number(l.time); }},
       {"active", "1", "touching nodes", [](const Level& l) { return Json(l.active); }, Form::integer},
       {"iterations", "1", "active-set iterations", [](const Level& l) { return Json(l.iterations); }, Form::integer},
       {"factorisations", "1", "numeric factorisations", [](const Level& l) { return Json(l.factorisations); },
@@ -414,6 +416,21 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
        Form::integer},
       {"factorisations", "1", "numeric factorisations",
        [](const HistoryEntry& h) { return Json(h.level.factorisations); }, Form::integer},
+      {"cells", "1", "cells of its mesh; with [accuracy] instants may have different meshes",
+       [](const HistoryEntry& h) { return Json(h.level.cells); }, Form::integer},
+      {"unknowns", "1", "unknowns on its mesh", [](const HistoryEntry& h) { return Json(h.level.unknowns); },
+       Form::integer},
+  };
+  return all;
+}
+
+std::span<const Quantity<estimation::GoalRecord>> goal_record_quantities() {
+  using estimation::GoalRecord;
+  static const std::vector<Quantity<GoalRecord>> all{
+      {"name", "-", "name of the number", [](const GoalRecord& g) { return Json(g.name); }, Form::text},
+      {"error", "1", "estimated error, relative to the number or to the usual size of such numbers",
+       [](const GoalRecord& g) { return number(g.relative_estimate()); }},
+      {"tolerance", "1", "requested relative error", [](const GoalRecord& g) { return number(g.tolerance); }},
   };
   return all;
 }

@@ -62,6 +62,8 @@ std::span<const Quantity<estimation::GeometryDeviation>> geometry_quantities();
 std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities();
 /// Paths inside "history[]".
 std::span<const Quantity<computation::HistoryEntry>> history_quantities();
+/// Paths inside "history[]/estimates[]".
+std::span<const Quantity<estimation::GoalRecord>> goal_record_quantities();
 /// Paths inside "obstacles[]/zones[]".
 std::span<const Quantity<solution::ContactZone>> zone_quantities();
 /// Paths inside "certificate".

@@ -1,5 +1,6 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/gathered.hpp>
+#include <plastron/fem/cut_mesh.hpp>
 #include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/io/report_scene.hpp>
@@ -20,9 +21,16 @@ constexpr std::int64_t most_mode_points = 190'000;
 /// Identity of a point: coarse cell, place of its drawn cell in it, number in the drawn cell.
 using Key = std::array<std::int64_t, 4>;
 
+/// A drawn cell: the key of its first point, and DrawnPlace as numbers.
+struct PlacedCell {
+  Key key;
+  std::array<double, 5> place;
+};
+
 struct PointRecords {
   std::vector<Key> keys{};
   std::vector<float> values{};  ///< for each key one value per row
+  std::vector<PlacedCell> cells{};
 };
 
 std::int64_t points_in(mesh::Shape shape, int subdivisions) { return mesh::nodes_per_cell(shape, subdivisions); }
@@ -70,6 +78,13 @@ void append(recovery::PointValues point, double least_pressure, const std::vecto
   }
 }
 
+PlacedCell placed(const Block& block, const std::vector<fem::CutCell>& cuts) {
+  const fem::CutCell& cut = cuts[static_cast<std::size_t>(block.cell.coarse)];
+  const Eigen::Vector2d corner = cut.corner + cut.size.cwiseProduct(block.cell.corner),
+                        size = block.cell.size * cut.size;
+  return {block.key, {static_cast<double>(cut.first), corner[0], corner[1], size[0], size[1]}};
+}
+
 /// Returns the points from cells of this rank: the values of the fields, then the displacements of the modes.
 PointRecords own_points(const computation::Solution& solution, const DrawnCells& drawn, double least_pressure,
                         const std::vector<Field>& fields, std::span<const computation::Mode> modes) {
@@ -82,6 +97,7 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
   const assembly::ShellOperator& shell = solution.discrete->shell;
   const element::BasisAt basis = element::basis_at(shape, space.degree, lattice);
   const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
+  const std::vector<fem::CutCell> cuts = fem::cut_cells(*space.coarse);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
     const Block block = block_of(space.cells[cell], shape, drawn);
     std::vector<int> wanted;
@@ -95,6 +111,7 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
     for (const int k : wanted) {
       records.keys.push_back(block.key);
       records.keys.back()[3] = k;
+      if (k == 0) records.cells.push_back(placed(block, cuts));
       append(points[static_cast<std::size_t>(k)], least_pressure, fields, records.values);
       for (const element::CellField& values : shapes)
         for (Eigen::Index d = 0; d < 3; ++d) records.values.push_back(static_cast<float>(values(k, d)));
@@ -119,6 +136,15 @@ std::vector<std::vector<float>> in_rows(const PointRecords& records) {
   return result;
 }
 
+/// Returns the places of drawn cells in the order of their points.
+std::vector<DrawnPlace> in_order(std::vector<PlacedCell> cells) {
+  std::ranges::sort(cells, {}, &PlacedCell::key);
+  std::vector<DrawnPlace> places;
+  places.reserve(cells.size());
+  for (const auto& [key, p] : cells) places.push_back({static_cast<std::size_t>(p[0]), {p[1], p[2]}, {p[3], p[4]}});
+  return places;
+}
+
 /// Returns the number of cells on all ranks from coarse cells divided 0, 1, 2, ... times; the last ones are the finest.
 std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
   constexpr int most_levels = 64;
@@ -131,23 +157,6 @@ std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
 }
 
 }  // namespace
-
-DrawnCells drawn_cells(mesh::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
-                       std::int64_t most_points) {
-  const int levels = static_cast<int>(cells_by_level.size()) - 1;
-  const auto blocks = [&](int merged) {
-    double count = 0;  // cells of several sizes form a block together
-    for (int level = 0; level <= levels; ++level)
-      count += std::ldexp(static_cast<double>(cells_by_level[static_cast<std::size_t>(level)]),
-                          -2 * std::max(0, level - levels + merged));
-    return std::llround(count);
-  };
-  for (int n = degree; n >= 1; --n)
-    if (blocks(0) * points_in(shape, n) <= most_points) return {n, 0, levels, blocks(0)};
-  for (int merged = 1; merged <= levels; ++merged)
-    if (blocks(merged) * points_in(shape, 1) <= most_points) return {1, merged, levels, blocks(merged)};
-  return {};
-}
 
 std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
   auto fields = fields_of(has_obstacle, has_multiplier);
@@ -173,8 +182,10 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
   const PointRecords mine = algebra::in_agreement(
       comm, [&] { return own_points(solution, surface.cells, least, surface.fields, surface.modes); });
   constexpr auto first = algebra::Receivers::first_rank;
-  const PointRecords all{algebra::gathered(mine.keys, comm, first), algebra::gathered(mine.values, comm, first)};
+  const PointRecords all{algebra::gathered(mine.keys, comm, first), algebra::gathered(mine.values, comm, first),
+                         algebra::gathered(mine.cells, comm, first)};
   surface.rows = in_rows(all);
+  surface.drawing = {space.shape(), surface.cells.subdivisions, in_order(all.cells)};
   return surface;
 }
 
@@ -306,8 +317,8 @@ void SceneFrames::add(const computation::HistoryEntry& entry, const computation:
   SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(!discrete.obstacles.empty()));
   std::vector<obstacle::Placement> places;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) places.push_back(discrete.obstacles.now(k).placement);
-  frames_.push_back(
-      {entry.time, entry.step, surface.points, std::move(surface.fields), std::move(surface.rows), std::move(places)});
+  frames_.push_back({entry.time, entry.step, std::move(surface.drawing), std::move(surface.fields),
+                     std::move(surface.rows), std::move(places)});
   if (std::ssize(frames_) * surface.points * 7 < most_values) return;
   every_ *= 2;
   std::vector<Frame> kept;
@@ -316,15 +327,16 @@ void SceneFrames::add(const computation::HistoryEntry& entry, const computation:
 }
 
 Json SceneFrames::json(const computation::Solution& last, std::span<const std::size_t> drawn,
-                       std::int64_t points) const {
+                       const Drawing& drawing) const {
   Json list = Json::array();
   const assembly::DiscreteShell& discrete = *last.discrete;
   for (const Frame& frame : frames_) {
-    if (frame.points != points || frame.rows.empty() || frame.time >= discrete.state.time) continue;
+    if (frame.rows.empty() || frame.time >= discrete.state.time) continue;
+    const auto rows = redrawn(frame.rows, frame.drawing, drawing);
     Json json{{"time", frame.time}, {"step", frame.step}, {"obstacles", Json::array()}};
     std::size_t row = 0;
     for (const Field& field : frame.fields)
-      for (int c = 0; c < field.components; ++c) json[field.key].push_back(row_json(frame.rows[row++]));
+      for (int c = 0; c < field.components; ++c) json[field.key].push_back(row_json(rows[row++]));
     for (const std::size_t k : drawn) {
       const obstacle::Placement end = discrete.obstacles.now(k).placement, &now = frame.obstacles.at(k);
       const Eigen::Matrix3d turn = now.rotation * end.rotation.transpose();
@@ -367,7 +379,7 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
                 {"fields", fields_json(surface, units)},
                 {"obstacles", obstacles_json(obstacles, summary)},
                 {"time", discrete.state.time},
-                {"frames", frames.json(solution, drawn, surface.points)},
+                {"frames", frames.json(solution, drawn, surface.drawing)},
                 {"lines", lines_json(summary)},
                 {"supports", supports}};
   });

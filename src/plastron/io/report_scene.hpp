@@ -2,6 +2,7 @@
 // shell, obstacles, boundaries of contact zones, supported edges. viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/computation/result.hpp>
+#include <plastron/io/drawn_cells.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/unit_names.hpp>
@@ -12,21 +13,6 @@
 
 namespace plastron::io {
 
-/// Drawn cells, which may be blocks of the mesh's cells.
-struct DrawnCells {
-  int subdivisions = 1;  ///< lattice of points in each: mesh::lattice
-  /// A drawn cell is a block of 2^merged_levels of the finest cells on each side, or one larger cell.
-  int merged_levels = 0;
-  int levels = 0;          ///< number of divisions from the coarse cells to the finest ones
-  std::int64_t count = 0;  ///< 0: the surface has too many points for the page
-};
-
-/// Returns the finest drawing of at most `most_points` points. Subdivisions are tried from the degree down to one in
-/// each cell. Then blocks of the smallest cells are tried, within one coarse cell. `cells_by_level`: number of cells
-/// divided 0, 1, 2, ... times.
-DrawnCells drawn_cells(mesh::Shape shape, int degree, std::span<const std::int64_t> cells_by_level,
-                       std::int64_t most_points);
-
 /// The deformed surface: all fields at a limited number of points, in single precision.
 struct SampledSurface {
   DrawnCells cells;
@@ -36,6 +22,7 @@ struct SampledSurface {
   /// A row for each component of each field, then of the displacement of each mode, with a value for each point; on the first
   /// rank only.
   std::vector<std::vector<float>> rows{};
+  Drawing drawing{};  ///< on the first rank only
 };
 
 /// Returns the fields that colours can show: no tangents, no directions, no places except the mid-surface.
@@ -51,8 +38,8 @@ SampledSurface sampled_surface(const computation::Solution& solution, std::int64
 /// letters, some 60 components).
 inline constexpr std::int64_t most_report_points = 26'000;
 
-/// Instants of the steps as frames of the view: u, r and eta at the points of the scene, and the places of obstacles. Of many
-/// instants every second one is kept, or every fourth, and so on.
+/// Instants of the steps as frames of the view: u, r and eta at the points of the scene, and the places of obstacles. Instants on
+/// other meshes are drawn on the last mesh. Of many instants every second one is kept, or every fourth, and so on.
 class SceneFrames {
  public:
   /// Adds an instant (collective).
@@ -60,13 +47,13 @@ class SceneFrames {
            std::int64_t most_points = most_report_points);
   /// Returns the frames before the last solution, on the first rank. Each obstacle of the scene has the rotation (row-major) and
   /// the translation that move it from its place in the scene. `drawn`: the obstacles' numbers in the scene.
-  Json json(const computation::Solution& last, std::span<const std::size_t> drawn, std::int64_t points) const;
+  Json json(const computation::Solution& last, std::span<const std::size_t> drawn, const Drawing& drawing) const;
 
  private:
   struct Frame {
     double time;
     std::string step;
-    std::int64_t points;
+    Drawing drawing;
     std::vector<Field> fields;
     std::vector<std::vector<float>> rows;
     std::vector<obstacle::Placement> obstacles;

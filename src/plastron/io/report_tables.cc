@@ -325,11 +325,11 @@ std::string levels_html(const Json& results) {
 
 std::string history_html(const Json& results) {
   if (at_path(results, "history").empty()) return "";
-  return records_html(
-      results, "history",
-      {"<step", "time", "load factor", "energy [J]", "largest |u| [m]", "contact area [m^2]", "largest pressure [Pa]",
-       "<status"},
-      {"step", "time", "load_factor", "energy", "max_displacement", "contact_area", "max_pressure", "status"});
+  return records_html(results, "history",
+                      {"<step", "time", "unknowns", "load factor", "energy [J]", "largest |u| [m]",
+                       "contact area [m^2]", "largest pressure [Pa]", "<status"},
+                      {"step", "time", "unknowns", "load_factor", "energy", "max_displacement", "contact_area",
+                       "max_pressure", "status"});
 }
 
 std::string files_html(const Json& results) {

@@ -192,9 +192,18 @@ problem::UnitNames unit_names(const Json& results) {
 
 namespace {
 
+/// Returns the meshes of the last instant: numbers of others are those of other loads.
+Json meshes_of_last(const Json& levels) {
+  const auto time_of = [](const Json& level) { return level.value("time", 0.0); };
+  Json last = Json::array();
+  for (const Json& level : levels)
+    if (time_of(level) == time_of(levels.back())) last.push_back(level);
+  return last;
+}
+
 std::vector<NamedPlot> plots_in_si(const Json& results) {
   std::vector<NamedPlot> plots;
-  const Json& levels = results.at("levels");
+  const Json levels = meshes_of_last(results.at("levels"));
   add_history_plots(results.at("history"), !results.at("contact").is_null(), plots);
   if (levels.size() < 2) return plots;
   const bool has_contact =

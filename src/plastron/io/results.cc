@@ -181,6 +181,7 @@ Json history_json(const computation::Result& result) {
     list.push_back(record_json(history_quantities(), entry));
     list.back()["obstacles"] = records_json(obstacle_quantities(), entry.summary.obstacles);
     list.back()["probes"] = probes_json(entry.probes, result);
+    list.back()["estimates"] = records_json(goal_record_quantities(), entry.level.goals);
   }
   return list;
 }

@@ -49,6 +49,8 @@ const std::vector<Part>& parts() {
       part("obstacles/*/zones/*/", "each connected contact zone", zone_quantities()),
       part("history/*/", "state at the end of each part of the steps; empty without steps", history_quantities()),
       part("history/*/obstacles/*/", "contact with each obstacle at this instant", obstacle_quantities()),
+      part("history/*/estimates/*/", "estimated errors at this instant; empty without [accuracy]",
+           goal_record_quantities()),
       probes("probes/*/", "fields at each [[probe]], by its name"),
       probes("history/*/probes/*/", "fields at each [[probe]] at this instant"),
       part("estimates/", "estimated distance of the last solution from the exact one; null if it was not estimated",
