@@ -1,4 +1,5 @@
 // Meshes from Gmsh files: what is read, and the words in which files are refused.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -211,4 +212,17 @@ TEST(WrongMeshFile, without_cells_is_refused) {
 }
 
 }  // namespace
+// A corner of a solid block: its tetrahedron, and triangles of its boundary in `groups` as a tag.
+std::string solid(int group) {
+  const std::string triangles = fmt::format("1 2 2 {0} 1 1 2 3\n2 2 2 {0} 1 1 2 4\n", group);
+  return header + names + "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n3\n" + triangles +
+         "3 4 2 0 1 1 2 3 4\n$EndElements\n";
+}
+
+TEST(MeshFile, of_a_solid_is_no_shell) {
+  for (const mesh::Shape shape : {mesh::Shape::triangle, mesh::Shape::quadrilateral})
+    EXPECT_THAT(refusal(solid(0), shape), HasSubstr("it is the mesh of a solid, with 1 volume elements"));
+  EXPECT_THAT(refusal(solid(2), mesh::Shape::triangle), testing::Not(HasSubstr("mesh of a solid")));
+}
+
 }  // namespace plastron::domain

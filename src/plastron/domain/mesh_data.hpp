@@ -61,6 +61,7 @@ struct MeshData {
   std::string source{};  ///< start of every message
   std::vector<MeshNode> nodes{};
   std::vector<MeshElement> elements{};
+  std::size_t volumes = 0;                    ///< number of elements that are volumes
   std::vector<std::int64_t> element_nodes{};  ///< tags; indices into `nodes` after number_nodes()
   /// Physical groups of the elements' dimension, each set ascending. A negative number is the group of a line that is
   /// drawn in the opposite direction.

@@ -113,6 +113,7 @@ void Version2::elements() {
       const std::int64_t of_element = text.integer("an element's tag");
       if (k == 0) group = static_cast<int>(std::clamp<std::int64_t>(of_element, -0x7fffffff, 0x7fffffff));
     }
+    if (type.family == ElementFamily::volume) ++data.volumes;
     if (type.is_cell() || type.family == ElementFamily::line)
       add_element(text, data, tag, number, type, group_set(data, {group}));
   }
@@ -172,6 +173,7 @@ void Version4::element_block() {
     text.refuse(fmt::format("elements of type \"{}\" stand in a block of dimension {}", type.name(), dimension));
   const std::size_t in_block = text.count("the number of elements of a block", 4);
   const auto groups = groups_of.find({dimension, entity});
+  if (type.family == ElementFamily::volume) data.volumes += in_block;
   for (std::size_t i = 0; i < in_block; ++i) {
     text.expect_line("an element");
     const std::int64_t tag = text.integer("an element's number");
@@ -195,11 +197,30 @@ class Reader {
     for (const char* needed : {"Nodes", "Elements"})
       if (!seen_.contains(needed))
         throw mesh::DomainError(fmt::format("{}: it has no section ${}", text_.path(), needed));
+    check_volumes();
     number_nodes(data_);
     return std::move(data_);
   }
 
  private:
+  /// Refuses the mesh of a solid: its triangles are the boundary of the solid and no mid-surface. Surfaces in physical groups
+  /// were chosen.
+  void check_volumes() {
+    if (data_.volumes == 0) return;
+    const bool chosen = std::ranges::any_of(data_.elements, [&](const MeshElement& element) {
+      return element_type(element.type)->is_cell() && element.groups != 0;
+    });
+    if (!chosen)
+      throw mesh::DomainError(fmt::format(
+          "{}: it is the mesh of a solid, with {} volume elements; a shell is meshed on its mid-surface: save the "
+          "surfaces of the shell as physical surfaces, without volumes (gmsh -2)",
+          text_.path(), data_.volumes));
+    data_.warnings.push_back(fmt::format(
+        "the file has {} volume elements, which are not read: the shell consists of the physical surfaces, and has "
+        "its own thickness",
+        data_.volumes));
+  }
+
   /// Reads the header. Returns true for version 2, false for version 4.
   bool header() {
     if (!text_.next_line()) throw mesh::DomainError(fmt::format("{}: the mesh file is empty", text_.path()));
