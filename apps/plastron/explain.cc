@@ -3,6 +3,7 @@
 #include "command_line.hpp"
 #include "terminal.hpp"
 
+#include <plastron/config/limits.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/schema.hpp>
 #include <plastron/contact/problem.hpp>
@@ -216,82 +217,7 @@ std::string result_overview() {
   return text + paragraph(statuses, 2);
 }
 
-/// A limit of the program, as in docs/limits.md: a test compares both.
-struct Limit {
-  std::string name;
-  std::vector<std::string> aliases;
-  std::string left_out, shows, advice;
-};
-
-const std::vector<Limit>& limits() {
-  static const std::vector<Limit> all{
-      {"rotations",
-       {"large-displacements", "nonlinear"},
-       "By default strains are linear in the displacements: no finite rotations, and no change of stiffness by "
-       "membrane forces.",
-       "`linearity` in `results.json`, in the summary and in `report.html`: energy and reactions of the model of "
-       "finite rotations, to some per cent; a warning if they differ by 5 %",
-       "`rotations = \"finite\"` in `[shell]`, with the tangent formulation"},
-      {"buckling",
-       {"snap-through", "stability"},
-       "With small rotations the equilibrium is unique: no buckling, no snap-through. With finite rotations paths "
-       "that turn back in a controlled displacement are left out.",
-       "`linearity.status`, `unstable` beyond the buckling load; `linearity.buckling`, the membrane forces over the "
-       "forces under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
-       "computes buckling loads and their shapes; with finite rotations `stability.margin`",
-       "`rotations = \"finite\"`; `[[imperfection]]` for shells that are not perfect"},
-      {"plasticity",
-       {"yield", "yielding"},
-       "The law is linear and elastic: no yielding, no rubber, no creep, no damage.",
-       "`linearity.max_strain`; a warning from 2 % on (most metals yield at 0.1 to 0.5 %)",
-       "compare `stress.max_von_mises` with the yield stress; use a program with plasticity"},
-      {"laminates",
-       {"orthotropic"},
-       "Layers are bonded and share the strains of the shell: no slip, no delamination, no thick soft core. "
-       "`shear_correction` is one number.",
-       "`layers` in `results.json` has the stresses of each layer",
-       "a failure criterion on `layers`; a layerwise or solid program for soft cores"},
-      {"friction",
-       {},
-       "Contact forces act along the normal of the obstacle only.",
-       "supports must prevent motions along the obstacle; `check` names motions that are free",
-       "supports instead of friction, or a program with friction"},
-      {"self-contact",
-       {},
-       "Obstacles are rigid. Shells do not touch themselves or each other.",
-       "only the deformed shape",
-       "a program with deformable contact"},
-      {"temperature",
-       {"thermal"},
-       "Initial strains are constant in each layer and region: no temperature field. Prestress changes the stiffness "
-       "in `plastron modes` only.",
-       "not shown",
-       "`strain` of a layer; a program with thermal analysis"},
-      {"vibrations",
-       {"dynamics", "frequencies"},
-       "There is no motion in time: loads and obstacles are slow.",
-       "`plastron modes` computes natural frequencies, with contact held",
-       "a program for dynamics"},
-      {"follower-loads",
-       {"follower"},
-       "With small rotations a pressure acts along the normal and on the area of the undeformed shell. Forces and "
-       "couples keep their directions in both models.",
-       "as for rotations",
-       "`rotations = \"finite\"` and `follows = true` in `[[load]]`"},
-      {"beams",
-       {"springs", "solids"},
-       "The model has shells, rigid bodies and rigid obstacles: no beams, solids or springs.",
-       "not shown",
-       "a general program"},
-      {"T-joints",
-       {"stiffeners"},
-       "`[[join]]` joins edges. An edge cannot be joined to the inside of a shell.",
-       "an error of `check`",
-       "divide the other shell there into two pieces, or use a mesh in space, where three or more cells may share a "
-       "side"},
-  };
-  return all;
-}
+using config::Limit;
 
 std::string text_of(const Limit& limit) {
   constexpr std::size_t width = 9;
@@ -301,14 +227,14 @@ std::string text_of(const Limit& limit) {
 
 std::vector<Topic> limit_topics() {
   std::vector<Topic> topics;
-  for (const Limit& limit : limits())
-    topics.push_back({limit.name, "cannot be computed", limit.aliases, [&limit] { return text_of(limit); }});
+  for (const Limit& limit : config::limits())
+    topics.push_back({limit.name, "limit of the program", limit.aliases, [&limit] { return text_of(limit); }});
   return topics;
 }
 
 std::string limit_overview() {
   std::string names;
-  for (const Limit& limit : limits()) names += (names.empty() ? "" : ", ") + limit.name;
+  for (const Limit& limit : config::limits()) names += (names.empty() ? "" : ", ") + limit.name;
   return "Limits of the program (docs/limits.md):\n" + paragraph(names, 2);
 }
 

@@ -251,7 +251,8 @@ void report_kind(Reading& reading, const Item& item, Kind expected) {
 
 void report_range(Reading& reading, const Item& item, double value) {
   reading.report(item.value, fmt::format("{} is {}, out of range", item.name, value),
-                 item.range.text(item.name.starts_with("entry ") ? "entry" : item.name));
+                 item.range.text(item.name.starts_with("entry ") ? "entry" : item.name),
+                 item.unit == "rad" ? fmt::format("angles are in rad: {0:g} degrees are \"{0:g}*pi/180\"", value) : "");
 }
 
 void report_expression(Reading& reading, const Item& item, const geometry::ExpressionError& error,
@@ -295,6 +296,11 @@ bool check_expression_text(Reading& reading, const Item& item) {
                  fmt::format("the expression of {} has a character that is no part of expressions", item.name),
                  "+ - * / ^ ( ) == != < <= > >= && || and c ? a : b");
   return false;
+}
+
+Item component_item(const toml::value& value, const std::string& name) {
+  if (name.starts_with("u.")) return {value, name};
+  return {value, name, Range::between(-6.2832, 6.2832), "rad"};
 }
 
 std::optional<bool> read_boolean(Reading& reading, const Item& item) {

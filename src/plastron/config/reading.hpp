@@ -74,7 +74,11 @@ struct Item {
   const toml::value& value;
   std::string name;
   Range range{};
+  std::string unit{};
 };
+
+/// Returns the value of a component of a displacement or of a rotation, "u.x" or "r.x". A rotation is at most a whole turn.
+Item component_item(const toml::value& value, const std::string& name);
 
 std::optional<bool> read_boolean(Reading& reading, const Item& item);
 std::optional<std::string> read_text(Reading& reading, const Item& item, Kind expected = Kind::text);

@@ -47,7 +47,7 @@ void read_body_values(Table& table, fem::RigidBody& body) {
     if (std::ranges::find(allowed, name) == allowed.end())
       reading.report(value, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
                      joined(allowed), did_you_mean(name, allowed));
-    else if (const auto number = read_number(reading, Item{value, name}))
+    else if (const auto number = read_number(reading, component_item(value, name)))
       body.fixed[body_component(name)] = *number;
   }
 }

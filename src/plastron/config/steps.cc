@@ -166,8 +166,8 @@ Section rotate_section(const std::string& path) {
           {key("axis", &Motion::axis, &Table::direction, {.kind = Kind::vector, .fallback = "[0, 0, 1]"},
                "direction of the line; any length except 0"),
            key("angle", &Motion::angle,
-               {.unit = "rad", .required = true, .range = Range::between(-1e3, 1e3), .example = "\"pi/2\""},
-               "angle of the rotation"),
+               {.unit = "rad", .required = true, .range = Range::between(-6.2832, 6.2832), .example = "\"pi/2\""},
+               "angle of the rotation, at most a whole turn"),
            key("about", &Motion::about, {.unit = "m", .fallback = "[0, 0, 0]"}, "a point of the line")}};
 }
 

@@ -87,7 +87,7 @@ void read_values(const Table& support, const std::vector<Fixed>& fixed, assembly
     if (at == fixed.end() || at->by_symmetry) {
       reading.report(value, fmt::format("values gives {}, which fix does not name", geometry::shortened(name)),
                      joined(allowed), did_you_mean(name, allowed));
-    } else if (auto field = read_field(reading, Item{value, name})) {
+    } else if (auto field = read_field(reading, component_item(value, name))) {
       effective[name] = as_json(*field);
       result.components[static_cast<std::size_t>(at - fixed.begin())].value = std::move(*field);
     }

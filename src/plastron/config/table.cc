@@ -1,3 +1,4 @@
+#include <plastron/config/limits.hpp>
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/table.hpp>
 #include <plastron/geometry/quotation.hpp>
@@ -77,7 +78,10 @@ void Table::report_unknown(const std::string& name, const toml::value& value) co
   const auto known = names(section_->keys);
   const bool is_section = section_->path.empty() && (value.is_table() || value.is_array());
   std::string advice = did_you_mean(name, known);
-  if (advice.empty()) advice = belongs(name);
+  if (const Limit* limit = limit_of(section_->path, name))
+    advice = fmt::format("{} Instead: {} (docs/limits.md, {})", limit->left_out, limit->advice, limit->name);
+  else if (advice.empty())
+    advice = belongs(name);
   reading_->report(reading_->source.key(name, value),
                    is_section ? fmt::format("unknown section [{}]", geometry::shortened(name))
                               : fmt::format("unknown key \"{}\" in {}", geometry::shortened(name), section_->header),
@@ -119,7 +123,7 @@ auto Table::read(const std::string& name, Read read_value) {
   using Result = std::invoke_result_t<Read, Reading&, const Item&>;
   const auto given = value(name);
   if (!given) return Result{};
-  Result result = read_value(*reading_, Item{*given, name, declared(name).range});
+  Result result = read_value(*reading_, Item{*given, name, declared(name).range, declared(name).unit});
   if (result) effective[name] = json_of(*result);
   return result;
 }

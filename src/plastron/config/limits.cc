@@ -1,0 +1,101 @@
+#include <plastron/config/limits.hpp>
+
+#include <algorithm>
+
+namespace plastron::config {
+
+const std::vector<Limit>& limits() {
+  static const std::vector<Limit> all{
+      {"rotations",
+       {"large-displacements", "nonlinear"},
+       "By default strains are linear in the displacements: no finite rotations, and no change of stiffness by "
+       "membrane forces.",
+       "`linearity` in `results.json`, in the summary and in `report.html`: energy and reactions of the model of "
+       "finite rotations, to some per cent; a warning if they differ by 5 %",
+       "`rotations = \"finite\"` in `[shell]`, with the tangent formulation"},
+      {"buckling",
+       {"snap-through", "stability"},
+       "With small rotations the equilibrium is unique: no buckling, no snap-through. With finite rotations paths "
+       "that turn back in a controlled displacement are left out.",
+       "`linearity.status`, `unstable` beyond the buckling load; `linearity.buckling`, the membrane forces over the "
+       "forces under which a perfect shell with the same contact buckles, with a warning from 0.5 on; `plastron modes` "
+       "computes buckling loads and their shapes; with finite rotations `stability.margin`",
+       "`rotations = \"finite\"`; `[[imperfection]]` for shells that are not perfect"},
+      {"plasticity",
+       {"yield", "yielding"},
+       "The law is linear and elastic: no yielding, no rubber, no creep, no damage.",
+       "`linearity.max_strain`; a warning from 2 % on (most metals yield at 0.1 to 0.5 %)",
+       "compare `stress.max_von_mises` with the yield stress; use a program with plasticity"},
+      {"laminates",
+       {"orthotropic", "sandwich", "core", "honeycomb"},
+       "Layers are bonded and share the strains of the shell: no slip, no delamination, no thick soft core. "
+       "`shear_correction` is one number.",
+       "`layers` in `results.json` has the stresses of each layer",
+       "a failure criterion on `layers`; a layerwise or solid program for soft cores"},
+      {"friction",
+       {"mu", "friction_coefficient"},
+       "Contact forces act along the normal of the obstacle only.",
+       "supports must prevent motions along the obstacle; `check` names motions that are free",
+       "supports instead of friction, or a program with friction"},
+      {"self-contact",
+       {},
+       "Obstacles are rigid. Shells do not touch themselves or each other.",
+       "only the deformed shape",
+       "a program with deformable contact"},
+      {"temperature",
+       {"thermal", "heat"},
+       "Initial strains are constant in each layer and region: no temperature field.",
+       "not shown",
+       "`strain` of a layer, also for one layer of an isotropic material; a program with thermal analysis"},
+      {"vibrations",
+       {"dynamics", "frequencies", "damping"},
+       "There is no motion in time: loads and obstacles are slow.",
+       "`plastron modes` computes natural frequencies, with contact held",
+       "a program for dynamics"},
+      {"follower-loads",
+       {"follower"},
+       "With small rotations a pressure acts along the normal and on the area of the undeformed shell. Forces and "
+       "couples keep their directions in both models.",
+       "as for rotations",
+       "`rotations = \"finite\"` and `follows = true` in `[[load]]`"},
+      {"beams",
+       {"beam", "solids", "bars", "trusses"},
+       "The model has shells, rigid bodies and rigid obstacles: no beams and no solids.",
+       "not shown",
+       "a general program"},
+      {"springs",
+       {"spring", "foundation", "foundations", "elastic-foundation", "bed", "bedding", "winkler"},
+       "Supports prescribe displacements, and obstacles are rigid: no springs and no elastic foundation.",
+       "not shown",
+       "rigid supports, or a general program"},
+      {"point-loads",
+       {"point-load", "point_load", "nodal-load", "load.point", "load.at", "load.node"},
+       "Loads act on areas, edges and rigid bodies. A force at a point has no finite rotation in this model.",
+       "not shown",
+       "a pressure on a small patch by an expression, or a small obstacle with a `force`"},
+      {"load-cases",
+       {"load-case", "load_case", "load_cases", "loadcase", "combinations"},
+       "A case has one set of loads, and steps change all of them together.",
+       "not shown",
+       "a file for each set, `--set`, or `plastron.combine()` in Python"},
+      {"T-joints",
+       {"stiffeners"},
+       "`[[join]]` joins edges. An edge cannot be joined to the inside of a shell.",
+       "an error of `check`",
+       "divide the other shell there into two pieces, or use a mesh in space, where three or more cells may share a "
+       "side"},
+  };
+  return all;
+}
+
+const Limit* limit_of(std::string_view section, std::string_view word) {
+  const std::string key = std::string(section) + "." + std::string(word);
+  const auto names = [&](const Limit& limit) {
+    return limit.name == word || std::ranges::find(limit.aliases, word) != limit.aliases.end() ||
+           std::ranges::find(limit.aliases, key) != limit.aliases.end();
+  };
+  const auto found = std::ranges::find_if(limits(), names);
+  return found == limits().end() ? nullptr : &*found;
+}
+
+}  // namespace plastron::config
