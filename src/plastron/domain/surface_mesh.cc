@@ -181,23 +181,28 @@ class SurfaceReader {
     if (!flaws.errors.empty()) throw mesh::DomainError(text_of(flaws.errors));
     const topology::SurfaceOptions options{
         .smooth_angle = reading_.smooth_angle, .upper = reading_.upper, .folds = named_folds()};
-    topology::SurfaceTopology topology = topology::surface_topology(std::move(merged.mesh), options);
-    if (reading_.offset.part != 0)
-      topology = topology::surface_topology(moved_by(reading_.offset, topology, cells_.groups().regions()), options);
-    FileSurface surface{.topology = std::move(topology),
-                        .regions = cells_.groups().regions(),
-                        .boundaries = boundaries(),
-                        .merged_nodes = merged.merged,
-                        .notes = data_.notes,
-                        .warnings = messages_of(flaws.warnings),
-                        .has_upper = reading_.upper.has_value()};
+    FileSurface surface = named(topology::surface_topology(std::move(merged.mesh), options));
+    if (reading_.offset.part != 0)  // along directors that lie in the planes of symmetry
+      surface =
+          named(topology::surface_topology(moved_by(reading_.offset, surface.topology, surface.regions), options));
+    surface.merged_nodes = merged.merged;
+    surface.notes = data_.notes;
+    surface.warnings = messages_of(flaws.warnings);
+    surface.has_upper = reading_.upper.has_value();
     std::ranges::copy(data_.warnings, std::back_inserter(surface.warnings));
+    return surface;
+  }
+
+ private:
+  /// The surface with its named edges, and directors in the planes of symmetry.
+  FileSurface named(topology::SurfaceTopology topology) const {
+    FileSurface surface{
+        .topology = std::move(topology), .regions = cells_.groups().regions(), .boundaries = boundaries()};
     name_edges(surface);
     for (const std::string& boundary : reading_.symmetric) put_into_plane(boundary, surface);
     return surface;
   }
 
- private:
   const std::vector<std::string>& boundaries() const { return cells_.groups().boundaries(); }
   bool is_fold(const std::string& boundary) const {
     return std::ranges::find(reading_.folds, boundary) != reading_.folds.end();

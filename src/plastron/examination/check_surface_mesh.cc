@@ -25,7 +25,9 @@ std::string counted(std::size_t number, const char* one, const char* several) {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-void report_cells(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary) {
+/// `names_units`: the case has [units], so that its lengths are meant as they are.
+void report_cells(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary,
+                  bool names_units) {
   const topology::SpaceMesh& mesh = surface.topology.mesh;
   int least = mesh.cells.front().order, most = least;
   for (const topology::SurfaceCell& cell : mesh.cells) {
@@ -39,7 +41,7 @@ void report_cells(Findings& findings, const domain::FileSurface& surface, const 
       counted(static_cast<std::size_t>(surface.topology.part_count), "part", "parts"),
       summary.is_closed ? fmt::format("closed, volume {:.6g} m^3", summary.volume) : "open");
   const double huge = surface.is_remeshed ? 100 : 300;  // files of facets name no unit and are mostly in millimetres
-  if ((summary.high - summary.low).maxCoeff() > huge)
+  if (!names_units && (summary.high - summary.low).maxCoeff() > huge)
     add(findings, Severity::warning,
         "the part is {:.4g} m long: if the file is in millimetres, write scale = 1e-3, or give all of the case in "
         "millimetres",
@@ -197,10 +199,10 @@ void report_points(Examined& examined) {
 
 }  // namespace
 
-std::vector<Finding> surface_findings(const domain::FileSurface& surface) {
+std::vector<Finding> surface_findings(const domain::FileSurface& surface, bool names_units) {
   Findings findings;
   const topology::SurfaceSummary summary = topology::summary_of(surface.topology);
-  report_cells(findings, surface, summary);
+  report_cells(findings, surface, summary, names_units);
   report_orientation(findings, surface);
   report_upper(findings, surface);
   report_edges(findings, surface, summary);
@@ -216,7 +218,8 @@ void check_surface_mesh(Examined& examined) {
   const auto* file = std::get_if<domain::MeshFile>(&examined.problem.domain);
   if (!file || !file->in_space || file->path.empty()) return;
   const domain::FileSurface surface = domain::read_surface(*file, examined.problem.discretisation.cells);
-  std::ranges::move(surface_findings(surface), std::back_inserter(examined.findings));
+  std::ranges::move(surface_findings(surface, examined.problem.output.units.are_named()),
+                    std::back_inserter(examined.findings));
   report_intersections(examined, surface);
 }
 

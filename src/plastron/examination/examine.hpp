@@ -21,7 +21,7 @@ struct Finding {
 std::vector<Finding> examine(const problem::Problem& problem);
 
 /// Returns what a mesh in space consists of, and what is doubtful in it.
-std::vector<Finding> surface_findings(const domain::FileSurface& surface);
+std::vector<Finding> surface_findings(const domain::FileSurface& surface, bool names_units = false);
 
 bool has_errors(const std::vector<Finding>& findings);
 

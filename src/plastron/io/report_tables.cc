@@ -1,6 +1,7 @@
 #include <plastron/io/report.hpp>
 
 #include <plastron/io/report_html.hpp>
+#include <plastron/io/result_plots.hpp>
 
 #include <fmt/format.h>
 
@@ -203,12 +204,14 @@ std::string estimates_html(const Json& results) {
   std::vector<std::string_view> head{"<number", "value", "<unit", "estimated error", "relative", "asked for", "<"};
   if (has_mesh) head.insert(head.begin() + 5, "by the mesh of the file");
   HtmlTable table(head);
+  const bool is_solved = at_path(results, "status") == Json("solved");
   for (std::size_t k = 0; k < goals.size(); ++k) {
     const std::string path = fmt::format("estimates/goals/{}/", k);
     const Json &value = goals[k]["value"], &error = goals[k]["error"], &tolerance = goals[k]["tolerance"];
     const bool is_known = value.is_number() && error.is_number() && value.get<double>() != 0;
     const double relative = is_known ? error.get<double>() / std::abs(value.get<double>()) : std::nan("");
-    const bool is_missed = tolerance.is_number() && !(relative <= tolerance.get<double>());
+    // A solved case has the accuracy, also where a number is the rest of larger ones and its relative error says nothing.
+    const bool is_missed = !is_solved && tolerance.is_number() && !(relative <= tolerance.get<double>());
     std::vector<std::string> row{html_text(plain_words(goals[k]["name"])), html_number(value, path + "value"),
                                  html_text(plain_words(goals[k]["unit"])), html_number(error, path + "error"),
                                  html_number(number(relative))};
@@ -293,12 +296,13 @@ std::string probes_html(const Json& results) {
 
 std::string certificate_html(const Json& results) {
   HtmlTable table({"<row", "value", "limit", "<unit", "<", "<why this limit"});
+  const problem::UnitNames units = unit_names(results);
   for (const auto& quantity : certificate_quantities()) {
     const std::string row(quantity.path), path = "certificate/" + row, limit_path = "certificate_limits/" + row;
     const Json& limit = at_path(results, limit_path);
     const bool holds = !limit.is_null() && limit["holds"] == Json(true);
     const std::string meaning = html_text(quantity.meaning),
-                      unit = html_text(quantity.unit == "1" ? "" : quantity.unit);
+                      unit = quantity.unit == "1" ? "" : html_text(units.label(quantity.unit));
     const std::string name = fmt::format("<abbr title=\"{}\">{}</abbr>", meaning, html_text(row));
     const std::string value = html_number(at_path(results, path), path);
     if (limit.is_null())
