@@ -35,6 +35,7 @@ py::tuple read(const std::string& text, const std::string& file_name, const std:
   } catch (const config::CaseErrors& errors) {
     throw_case_error(errors);
   } catch (const geometry::FunctionError& error) {
+    rethrow_interruption();
     raise("CaseError", file_name + ": error: " + error.what() + "\n");
   }
 }

@@ -7,6 +7,7 @@
 #include <pybind11/numpy.h>
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,10 +16,21 @@ namespace plastron::python {
 
 namespace py = pybind11;
 
+/// Ctrl-C, or another exception that is not an error, in a function of Python. It ends the computation like an error of the
+/// function, and is raised afterwards by rethrow_interruption().
+inline std::exception_ptr& interruption() {
+  static std::exception_ptr pending;
+  return pending;
+}
+
+inline void rethrow_interruption() {
+  if (auto pending = std::exchange(interruption(), nullptr)) std::rethrow_exception(pending);
+}
+
 /// Calls `function`(places, first, count) with places as an array of n x 5 (x, y, X, Y, Z); it returns count x n numbers.
 class PythonFunction {
  public:
-  PythonFunction(std::string name, py::object function) : name_(std::move(name)), function_(std::move(function)) {}
+  explicit PythonFunction(py::object function) : function_(std::move(function)) {}
   PythonFunction(const PythonFunction&) = delete;
   PythonFunction& operator=(const PythonFunction&) = delete;
   ~PythonFunction() {
@@ -43,21 +55,21 @@ class PythonFunction {
       using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
       const auto result = function_(at, first, count).cast<Numbers>();
       if (static_cast<std::size_t>(result.size()) != values.size())
-        throw geometry::FunctionError("the function " + name_ + " returns another number of values than places");
+        throw geometry::FunctionError("a function returns another number of values than places");
       std::copy_n(result.data(), values.size(), values.begin());
     } catch (const py::error_already_set& error) {
-      throw geometry::FunctionError("the function " + name_ + " failed: " + error.what());
+      if (!error.matches(PyExc_Exception)) interruption() = std::current_exception();
+      throw geometry::FunctionError(py::str(error.value()).cast<std::string>());
     }
   }
 
  private:
-  std::string name_;
   py::object function_;
 };
 
 /// Gives a function of Python a name in this module's cases. `depends_on`: whether it takes x, y, X, Y, Z.
 inline void give_function(const std::string& name, const std::array<bool, 5>& depends_on, py::object function) {
-  auto shared = std::make_shared<PythonFunction>(name, std::move(function));
+  auto shared = std::make_shared<PythonFunction>(std::move(function));
   geometry::give_function(
       name, {.uses_parameters = depends_on[0] || depends_on[1],
              .uses_space = depends_on[2] || depends_on[3] || depends_on[4],

@@ -40,13 +40,18 @@ template <class Work>
 auto computing(Work&& work) {
   if (is_computing()) throw std::runtime_error("a function that a computation calls cannot start another computation");
   using Value = decltype(work());
+  interruption() = nullptr;
   try {
-    const py::gil_scoped_release release;
-    const Turn turn;
     std::optional<Value> value;
-    workflow::refusing([&] { value.emplace(work()); });
+    {
+      const py::gil_scoped_release release;
+      const Turn turn;
+      workflow::refusing([&] { value.emplace(work()); });
+    }
+    rethrow_interruption();
     return std::move(*value);
   } catch (const workflow::RefusedCase& error) {
+    rethrow_interruption();
     raise("CaseError", error.what());
   } catch (const io::UnusableResults& error) {
     raise("ResultsError", error.what());
@@ -144,11 +149,11 @@ class Caller {
     }
   }
 
-  /// Whether Ctrl-C was pressed, or a function failed.
+  /// Whether Ctrl-C was pressed, also in a function of the case, or a function failed.
   bool wants_to_stop() {
     const py::gil_scoped_acquire acquire;
     look_for_signals();
-    return is_interrupted_ || failure_;
+    return is_interrupted_ || failure_ || interruption();
   }
 
   const Followers& followers_;
@@ -267,6 +272,15 @@ PYBIND11_MODULE(_solver, module) {
            })
       .def("fields", &Solved::fields, py::arg("scale"))
       .def("values_at", &Solved::values_at, py::arg("points"), py::arg("heights"));
+  // Fields and points are evaluated outside of computing().
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const plastron::geometry::FunctionError& error) {
+      rethrow_interruption();
+      raise("CaseError", std::string("error: ") + error.what() + "\n");
+    }
+  });
   module.def("give_function", &give_function);
   module.def("forget_function", &plastron::geometry::forget_function);
   module.def("rank", [](const py::object& comm) {

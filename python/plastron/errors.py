@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any, Iterable
+
+
+def readable(text: str) -> str:
+    """Returns a text of the library with the names that functions of Python have for the user."""
+    return re.sub(r'"?\bpython_(\w+?)_[0-9a-f]{32}\b"?', r'the function "\1"', text)
 
 
 class PlastronError(Exception):
@@ -17,8 +23,12 @@ class CaseError(PlastronError, ValueError):
     """
 
     def __init__(self, text: str, mistakes: Iterable[dict[str, Any]] = ()) -> None:
-        super().__init__(text)
+        super().__init__(readable(text))
         self.mistakes = list(mistakes)
+
+
+class FunctionError(PlastronError):
+    """A function of Python in a case that fails, or that returns what it must not. The case then has a CaseError."""
 
 
 class ResultsError(PlastronError):

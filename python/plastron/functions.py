@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import sys
+import traceback
 import uuid
 import weakref
 from typing import Any, Callable, Iterable
@@ -11,7 +12,7 @@ from typing import Any, Callable, Iterable
 import numpy as np
 
 from . import _case
-from .errors import CaseError
+from .errors import CaseError, FunctionError
 
 _NAMES = ("x", "y", "X", "Y", "Z")
 # Pairs of coordinates of the second derivatives, in the order of the library.
@@ -19,6 +20,7 @@ _PAIRS_OF_PARAMETERS = ((0, 0), (0, 1), (1, 1))
 _PAIRS_OF_SPACE = ((2, 2), (2, 3), (2, 4), (3, 3), (3, 4), (4, 4))
 # A central difference of order 6: steps and their weights.
 _DIFFERENCE = ((1, 3 / 4), (2, -3 / 20), (3, 1 / 60), (-1, -3 / 4), (-2, 3 / 20), (-3, -1 / 60))
+_COMPARED_PLACES = 200  # at so many places given derivatives are compared with differences
 
 
 def _directions(arguments: list[int], number: int) -> tuple[int, ...]:
@@ -32,6 +34,20 @@ def _directions(arguments: list[int], number: int) -> tuple[int, ...]:
 def _number_of(arguments: list[int], axis: int) -> int:
     """Returns the number of the first derivative along a coordinate."""
     return axis - 1 if max(arguments) > 1 else axis + 1
+
+
+def _number_of_pair(pair: tuple[int, int]) -> int:
+    """Returns the number of the second derivative by two coordinates, in the order of the library."""
+    return 4 + _PAIRS_OF_SPACE.index(pair) if pair in _PAIRS_OF_SPACE else 3 + _PAIRS_OF_PARAMETERS.index(pair)
+
+
+def _by(arguments: list[int], number: int) -> str:
+    """"by x and y" """
+    return "by " + " and ".join(_NAMES[axis] for axis in _directions(arguments, number))
+
+
+def _count(places: Any) -> str:
+    return f"{len(places)} place" + "s" * (len(places) != 1)
 
 
 class _Stencil:
@@ -76,8 +92,8 @@ def _difference_of(terms: dict[Any, float], axis: int) -> dict[Any, float]:
 class Function:
     """A function of Python in a case: ``case["shell.thickness"] = Function(lambda x, y: 0.01 + 0.002 * np.cos(x))``.
 
-    f: takes arrays and returns an array, or one number for all places. Its arguments are some of x, y (parameters of the
-        domain), X, Y, Z (places in space), in any order.
+    f: takes arrays and returns an array, or one number that holds at all places. Its arguments are some of x, y (parameters
+        of the domain), X, Y, Z (places in space), in any order; X is the array of the X coordinates.
     gradient: a function with the same arguments that returns the list of the first derivatives, in the order of the
         arguments. Needed by charts, heights and distances only. Without it they come from the complex step
         f(x + i h) / h, which has no rounding but needs a function that takes complex numbers (no abs, max, comparison);
@@ -85,6 +101,7 @@ class Function:
     second: likewise the second derivatives: xx, xy, yy or XX, XY, XZ, YY, YZ, ZZ, those of the arguments that there are.
         Without it differences of order 6 of the first derivatives are taken; their error is about (step / scale)^6 of the
         function, plus rounding.
+        Given derivatives are compared with differences at the first 200 places; wrong ones raise CaseError.
     scale: a length over which the function changes much [the unit of its arguments]; default: the range of the places at which
         it was called so far, which holds the shell. Give it for a shell that is small and far from the origin.
     step: step of these differences; default 1e-3 ``scale``.
@@ -104,6 +121,7 @@ class Function:
         self.f, self.gradient, self.second, self.step, self.scale = f, gradient, second, step, scale
         self.arguments = _arguments(f)
         self._takes_complex: bool | None = None
+        self._compared_places = 0
         self._lowest, self._highest = np.full(len(_NAMES), np.inf), np.full(len(_NAMES), -np.inf)
         self._stencils: dict[Any, _Stencil] = {}
         self._known_to: set[str] = set()
@@ -119,16 +137,77 @@ class Function:
         if first == 0 and count == 1:
             return self._values(self.f, places)
         if self.gradient is not None:
+            self._compare(places)
             return np.array([self._with_gradient(places, number) for number in range(first, first + count)])
         return self._by_stencil(places, range(first, first + count))
 
     def _values(self, f: Callable[..., Any], places: Any, kind: type = float) -> Any:
-        value: Any = np.asarray(f(*[places[:, k] for k in self.arguments]), dtype=kind)
+        def values_at(places: Any) -> Any:
+            return np.asarray(f(*[places[:, k] for k in self.arguments]), dtype=kind)
+
+        value: Any = values_at(places)
         if value.ndim == 0:
+            if not self._is_constant(values_at, places, value):
+                raise FunctionError(
+                    f"returns one number for {_count(places)}, and another number for others; its arguments are arrays of "
+                    "coordinates, and it returns an array with a value for each place, or one constant"
+                )
             return np.full(len(places), value)
         if value.shape != (len(places),):
-            raise ValueError(f"it returns an array of shape {value.shape} for {len(places)} places")
+            raise FunctionError(f"returns an array of shape {value.shape} for {_count(places)}")
         return value
+
+    def _is_constant(self, values_at: Callable[..., Any], places: Any, value: Any) -> bool:
+        """Whether a single number does not depend on the places. A function that is written for one place returns its value there."""
+        beside = places[:1] + 0.1 * (self._highest - self._lowest + np.abs(places[0]) + (len(places) == 1))
+        others = [places[:1], places[-1:], np.vstack([beside, places[:1]])]
+        try:
+            found = [values_at(other) for other in others[(len(places) == 1) * 2 :]]
+        except Exception:  # not defined beside the places
+            found = []
+        return all(np.array_equal(other, value, equal_nan=True) for other in found)
+
+    def _part(self, f: Callable[..., Any], step: float | None = None) -> Function:
+        """Returns a function of the same arguments and places without given derivatives."""
+        part = Function(self.f, step=step or self.step, scale=self.scale)
+        part.f = f
+        part._lowest, part._highest = self._lowest, self._highest
+        return part
+
+    def _compare(self, places: Any) -> None:
+        """Compares given derivatives with differences of what they are derivatives of. Where two steps give different
+        differences, the function is not smooth enough to judge."""
+        in_space = max(self.arguments) > 1
+        if self._compared_places >= _COMPARED_PLACES or any((axis > 1) != in_space for axis in self.arguments):
+            return
+        places = places[: _COMPARED_PLACES - self._compared_places]
+        self._compared_places += len(places)
+        numbers = [_number_of(self.arguments, axis) for axis in self.arguments]
+        self._compare_with(self.f, places, numbers, "gradient")
+        if self.second is not None:
+            for i, axis in enumerate(self.arguments):
+                axes = [(min(axis, other), max(axis, other)) for other in self.arguments]
+                # The second derivative by `axis` and each other one is that of the entry of the gradient for `axis`.
+                self._compare_with(_entry(self.gradient, i), places, numbers, "second", [_number_of_pair(pair) for pair in axes])
+
+    def _compare_with(self, f: Callable[..., Any], places: Any, numbers: list[int], what: str, given_numbers: Any = None) -> None:
+        try:
+            step = self.step or 1e-3 * self._length()
+            with np.errstate(all="ignore"):
+                fine, coarse = (self._part(f, s)._by_stencil(places, numbers) for s in (step / 2, step))
+                values = self._values(f, places)
+        except Exception:  # the function cannot be evaluated beside these places
+            return
+        given = np.array([self._with_gradient(places, number) for number in (given_numbers or numbers)])
+        size = np.max(np.abs(fine), initial=0) + 1e-8 * np.max(np.abs(values), initial=0) / self._length()
+        wrong = (np.abs(fine - coarse) <= 1e-5 * size) & ~(np.abs(given - fine) <= 1e-3 * size)
+        if wrong.any():
+            k, i = np.argwhere(wrong)[0]
+            place = ", ".join(f"{_NAMES[axis]} = {places[i, axis]:.6g}" for axis in self.arguments)
+            raise FunctionError(
+                f"has a wrong derivative: `{what}` gives {given[k, i]:.6g} {_by(self.arguments, (given_numbers or numbers)[k])} "
+                f"at {place}, and differences give {fine[k, i]:.6g}; correct it, or leave it out"
+            )
 
     def _by_stencil(self, places: Any, numbers: Iterable[int]) -> Any:
         """Values and derivatives from one call of f, at all places of a stencil."""
@@ -174,10 +253,7 @@ class Function:
             known = sorted(self.arguments)
             pairs = [(i, j) for n, i in enumerate(known) for j in known[n:]]
             return self._values(_entry(self.second, pairs.index((axes[0], axes[1]))), places)
-        component = Function(self.f, step=self.step, scale=self.scale)
-        component.f = _entry(self.gradient, first)
-        component._lowest, component._highest = self._lowest, self._highest
-        return component._by_stencil(places, [_number_of(self.arguments, axes[1])])[0]
+        return self._part(_entry(self.gradient, first))._by_stencil(places, [_number_of(self.arguments, axes[1])])[0]
 
     def _is_analytic(self, places: Any) -> bool:
         """Whether the function takes complex numbers, found out at its first call: the complex step must agree with differences."""
@@ -204,8 +280,22 @@ class Function:
         self._known_to.add(module.__name__)
         function = weakref.ref(self)
         depends = [k in self.arguments for k in range(len(_NAMES))]
-        module.give_function(self.name, depends, lambda *arguments: function().evaluate(*arguments))  # type: ignore[union-attr]
+        module.give_function(self.name, depends, lambda *arguments: function()._answer(*arguments))  # type: ignore[union-attr]
         weakref.finalize(self, module.forget_function, self.name)
+
+    def _answer(self, *arguments: Any) -> Any:
+        """As evaluate(). Errors are FunctionErrors in the words of a message."""
+        name = _title(self.f)
+        try:
+            return self.evaluate(*arguments)
+        except FunctionError as error:
+            raise FunctionError(f"{name} {error}") from None
+        except Exception as error:
+            own_file = _code(self.f).co_filename if _code(self.f) else None
+            lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == own_file]
+            place = f" ({own_file}, line {lines[-1]})" if lines else ""
+            words = " ".join(str(error).split())
+            raise FunctionError(f"{name} failed: {type(error).__name__}: {words}{place}") from error
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__ | {"_known_to": set()}  # another process has modules of its own
@@ -268,3 +358,15 @@ def _arguments(f: Callable[..., Any]) -> list[int]:
 def _identifier(f: Any) -> str:
     name = getattr(f, "__name__", type(f).__name__)
     return "".join(c if c.isalnum() and c.isascii() else "_" for c in name).strip("_") or "function"
+
+
+def _code(f: Any) -> Any:
+    return getattr(f, "__code__", None)
+
+
+def _title(f: Any) -> str:
+    """The function in messages: its name, or its place."""
+    code = _code(f)
+    if code is not None and code.co_name == "<lambda>":
+        return f"the function in line {code.co_firstlineno} of {code.co_filename}"
+    return f'the function "{_identifier(f)}"'

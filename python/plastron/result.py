@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator
 import numpy as np
 
 from . import _case
-from .errors import PointError, ResultsError
+from .errors import OutputError, PointError, ResultsError
 
 if TYPE_CHECKING:
     from .case import Case, Path
@@ -109,7 +109,14 @@ def _add_short_names(arrays: dict[str, Any], units: dict[str, str]) -> None:
             arrays[short], units[short] = arrays[name], units[name]
 
 
-class Fields(Dict[str, "np.ndarray[Any, Any]"]):
+class _Arrays(Dict[str, "np.ndarray[Any, Any]"]):
+    """Arrays by name. An unknown name is answered with the known ones."""
+
+    def __missing__(self, name: str) -> Any:
+        raise KeyError(f"there is no field {name!r}; there are: {', '.join(self)}")
+
+
+class Fields(_Arrays):
     """The fields at the points of the output mesh: name -> array, in double precision. ``units`` has their units.
 
     ``points`` (n x 3) are the places on the deformed mid-surface, ``cells`` (m x k) the points of each cell in VTK's order,
@@ -129,7 +136,7 @@ class Fields(Dict[str, "np.ndarray[Any, Any]"]):
         return {name: array for name, array in self.items() if name not in ("u", "r")}
 
 
-class Values(Dict[str, "np.ndarray[Any, Any]"]):
+class Values(_Arrays):
     """Fields at chosen points: name -> array. ``units`` has their units."""
 
     def __init__(self, native: Any) -> None:
@@ -261,17 +268,26 @@ class Result(Record):
 
         self._complete()
         target = pathlib.Path(directory)
-        if target.resolve() != self._directory.resolve() and self._is_first():
-            target.mkdir(parents=True, exist_ok=True)
-            names = json.loads((self._directory / "results.json").read_text())["files"]
-            for name in [name for name in names if name != "results.json"] + ["results.json"]:
-                if (self._directory / name).exists():
-                    shutil.copy2(self._directory / name, target / name)
-            for path in target.iterdir():
-                if _solver.is_mode_name(path.name) and path.name not in names:  # of an earlier result
-                    path.unlink()
-        _solver.barrier(self._comm)
+        try:
+            if target.resolve() != self._directory.resolve() and self._is_first():
+                self._copy_files(target)
+        except OSError as error:
+            raise OutputError(f"{target}: results cannot be written here: {error.strerror or error}") from error
+        finally:
+            _solver.barrier(self._comm)
         return target
+
+    def _copy_files(self, target: pathlib.Path) -> None:
+        from . import _solver
+
+        target.mkdir(parents=True, exist_ok=True)
+        names = json.loads((self._directory / "results.json").read_text())["files"]
+        for name in [name for name in names if name != "results.json"] + ["results.json"]:
+            if (self._directory / name).exists():
+                shutil.copy2(self._directory / name, target / name)
+        for path in target.iterdir():
+            if _solver.is_mode_name(path.name) and path.name not in names:  # of an earlier result
+                path.unlink()
 
     def derivatives(self, keys: Iterable[str], step: float = 1e-3) -> dict[str, dict[str, tuple[float, float]]]:
         """Returns the derivatives of the numbers of the solution by numbers of the case: ``d =

@@ -96,14 +96,36 @@ class TestDerivatives:
         case = plastron.Case.from_text(STRIP).with_settings({"geometry.chart": chart})
         assert energy(case) == pytest.approx(energy(plastron.Case.from_text(DOME)), rel=1e-8, abs=0)
 
-    def test_a_wrong_gradient_changes_the_result(self):
-        """So that the gradients above are used at all."""
-        wrong = plastron.Function(dome, lambda x, y: [0 * x, 0 * y], lambda x, y: [0 * x] * 3)
-        try:
-            other = energy(plastron.Case.from_text(STRIP).with_settings({"geometry.chart": ["x", "y", wrong]}))
-        except plastron.CaseError:
-            return
-        assert other != pytest.approx(energy(plastron.Case.from_text(DOME)), rel=1e-3, abs=0)
+    @pytest.mark.parametrize("wrong", ["zero", "a factor", "a sign", "the other order", "in one corner", "second", "second order"])
+    def test_wrong_derivatives_are_refused(self, wrong):
+        def gradient(x, y):
+            at_x, at_y = dome_gradient(x, y)
+            changed = {"zero": [0 * x, 0 * y], "a factor": [1.1 * at_x, at_y], "a sign": [at_x, -at_y], "the other order": [at_y, at_x]}
+            return changed.get(wrong, [at_x + (wrong == "in one corner") * (x > 0.7) * (y < 0.2), at_y])
+
+        def second(x, y):
+            xx, xy, yy = dome_second(x, y)
+            return {"second": [xx, xy + 0.02, yy], "second order": [yy, xy, xx]}.get(wrong, [xx, xy, yy])
+
+        function = plastron.Function(dome, gradient, second)
+        with pytest.raises(plastron.CaseError, match='function "dome" has a wrong derivative: `' + ("second" if "second" in wrong else "gradient")):
+            quiet(plastron.solve, plastron.Case.from_text(STRIP).with_settings({"geometry.chart": ["x", "y", function]}))
+
+    @pytest.mark.parametrize("length", [1e-6, 1, 1e6])
+    def test_right_derivatives_are_not_refused(self, length):
+        """Also where the function has a kink, is noisy, is nearly constant, or is not defined beside its places."""
+        rng = np.random.default_rng(1)
+        places = np.zeros((50, 5))
+        places[:, :2] = rng.uniform(0.0, 1, (50, 2)) * length
+        places[0, 0] = 0
+        functions = {
+            "kink": (lambda x, y: abs(x - 0.5 * length), lambda x, y: [np.sign(x - 0.5 * length), 0 * y]),
+            "noise": (lambda x, y: np.float32(x * y), lambda x, y: [y, x]),
+            "constant": (lambda x, y: 3 + 1e-6 * x / length, lambda x, y: [1e-6 / length + 0 * x, 0 * x]),
+            "root": (lambda x, y: np.sqrt(x / length), lambda x, y: [0.5 / np.sqrt(np.maximum(x * length, 1e-300)), 0 * x]),
+        }
+        for f, gradient in functions.values():
+            plastron.Function(f, gradient).evaluate(places, 0, 3)
 
     @pytest.mark.slow
     @pytest.mark.parametrize(
@@ -130,14 +152,43 @@ class TestMistakes:
         def broken(x, y):
             raise ZeroDivisionError("mine")
 
-        with pytest.raises(plastron.CaseError, match="(?s)broken.*failed.*ZeroDivisionError: mine"):
+        with pytest.raises(plastron.CaseError, match=r'the function "broken" failed: ZeroDivisionError: mine \(.*test_functions.py, line \d+\)\n$'):
             quiet(plastron.solve, case.with_settings({"shell.thickness": broken}))
         assert energy(case) > 0
 
     @pytest.mark.parametrize("wrong", [lambda x: x[:1] + 1, lambda x: np.ones((2, 2)), lambda x: "text", lambda x: None])
     def test_other_shapes_are_refused(self, case, wrong):
-        with pytest.raises(plastron.CaseError, match="failed|thickness"):
+        with pytest.raises(plastron.CaseError, match="failed|returns|thickness"):
             quiet(plastron.solve, case.with_settings({"shell.thickness": wrong}))
+
+    @pytest.mark.parametrize(
+        "wrong", [lambda X: X[..., 0] * 0.1 + 0.03, lambda x: 0.04 + 0.01 * np.max(x), lambda x, y: 0.04 + 0.01 * np.linalg.norm([x, y])]
+    )
+    def test_one_number_that_depends_on_the_places_is_refused(self, case, wrong):
+        with pytest.raises(plastron.CaseError, match="returns one number for .* places, and another number"):
+            quiet(plastron.solve, case.with_settings({"shell.thickness": wrong}))
+
+    def test_one_number_of_a_distance_that_is_asked_for_single_places_is_refused(self, case):
+        case["obstacle"] = [{"distance": lambda X, Z: 0.01 * X[0] + Z[0]}]
+        with pytest.raises(plastron.CaseError, match="test_functions.py returns one number for 1 place"):
+            quiet(plastron.solve, case)
+
+    def test_ctrl_c_in_a_function_is_no_mistake_of_the_case(self, case):
+        """Wherever it comes: when the case is read, when it is examined, or in the middle of the solution."""
+        calls = 0
+        for last in (1, 2, 5, 20):
+
+            def interrupted(x, y):
+                nonlocal calls
+                calls += 1
+                if calls >= last:
+                    raise KeyboardInterrupt
+                return thickness(x, y)
+
+            calls = 0
+            with pytest.raises(KeyboardInterrupt):
+                quiet(plastron.solve, case.with_settings({"shell.thickness": interrupted}))
+        assert energy(case) > 0
 
     def test_values_without_a_meaning_are_refused(self, case):
         with pytest.raises(plastron.CaseError, match="thickness"):

@@ -530,6 +530,15 @@ class TestFiles:
         assert sorted(p.name for p in saved.iterdir()) == sorted(p.name for p in (tmp_path / "out").iterdir())
         assert (saved / "solution.vtu").read_bytes() == (tmp_path / "out/solution.vtu").read_bytes()
 
+    def test_a_folder_that_cannot_be_written_is_an_output_error(self, result):
+        with pytest.raises(plastron.OutputError, match="/proc/no: results cannot be written here"):
+            result.save("/proc/no")
+
+    def test_an_unknown_field_is_answered_with_the_known_ones(self, result):
+        for arrays in (result.fields, result.at([[0.5, 0.2]])):
+            with pytest.raises(KeyError, match="there is no field 'mises'; there are: .*displacement"):
+                arrays["mises"]
+
     def test_checksums_of_saved_files_are_right(self, saved):
         outcome = subprocess.run(["sha256sum", "--check", "--quiet", "SHA256SUMS"], cwd=saved, capture_output=True, text=True)
         assert outcome.returncode == 0, outcome.stdout + outcome.stderr
