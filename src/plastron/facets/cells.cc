@@ -1,4 +1,5 @@
 #include <plastron/facets/cells.hpp>
+#include <plastron/facets/untangle.hpp>
 
 #include <Eigen/Geometry>
 
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -13,7 +15,6 @@ namespace plastron::facets {
 
 namespace {
 
-using Polygon = std::vector<int>;
 using Ends = std::array<int, 2>;
 
 Ends ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -68,22 +69,38 @@ std::vector<Pair> pairs_of(const Remeshed& mesh, const std::map<Ends, int>& curv
   return pairs;
 }
 
+/// A triangle, or a pair of two, that becomes cells.
+struct Polygon {
+  std::vector<int> corners;
+  std::vector<std::size_t> triangles;
+  std::size_t first_cell = 0;
+  bool is_flat = false;  ///< its new points are not put onto the facets
+};
+
+/// Whether the normal of a quadrilateral nearly vanishes at a corner, or turns by a right angle.
+bool is_folded(const std::array<int, 4>& corners, const std::vector<Vector3d>& points) {
+  constexpr double least_cosine = 0.1;
+  std::array<Vector3d, 4> normals;
+  Vector3d mean = Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector3d& at = points[corners[k]];
+    normals[k] = (points[corners[(k + 1) % 4]] - at).cross(points[corners[(k + 3) % 4]] - at);
+    mean += normals[k];
+  }
+  return std::ranges::any_of(normals,
+                             [&](const Vector3d& n) { return !(n.dot(mean) > least_cosine * n.norm() * mean.norm()); });
+}
+
 class CellBuilder {
  public:
   CellBuilder(const Remeshed& mesh, const FacetProjection& projection) : mesh_(mesh), projection_(projection) {
-    cells_.points = mesh.points;
     for (const auto& [ends, curve] : mesh.lines) curve_at_[ascending(ends[0], ends[1])] = curve;
   }
 
   Cells build() {
-    std::vector<bool> is_used(mesh_.triangles.size(), false);
-    for (const auto& [skewness, both, corners] : pairs_of(mesh_, curve_at_)) {
-      if (is_used[both[0]] || is_used[both[1]]) continue;
-      is_used[both[0]] = is_used[both[1]] = true;
-      divide({corners.begin(), corners.end()}, mesh_.face_of[both[0]]);
-    }
-    for (std::size_t t = 0; t < is_used.size(); ++t)
-      if (!is_used[t]) divide({mesh_.triangles[t].begin(), mesh_.triangles[t].end()}, mesh_.face_of[t]);
+    constexpr int most_rounds = 4;
+    choose_polygons();
+    for (int round = 1; make_cells(), round < most_rounds && flatten_folded();) ++round;
     for (const auto& [ends, curve] : mesh_.lines) {
       const int centre = middle(ends[0], ends[1]);
       cells_.lines.push_back({{ends[0], centre}, curve});
@@ -93,15 +110,62 @@ class CellBuilder {
   }
 
  private:
+  void choose_polygons() {
+    std::vector<bool> is_used(mesh_.triangles.size(), false);
+    for (const auto& [skewness, both, corners] : pairs_of(mesh_, curve_at_)) {
+      if (is_used[both[0]] || is_used[both[1]]) continue;
+      is_used[both[0]] = is_used[both[1]] = true;
+      polygons_.push_back({{corners.begin(), corners.end()}, {both.begin(), both.end()}});
+    }
+    for (std::size_t t = 0; t < is_used.size(); ++t)
+      if (!is_used[t]) polygons_.push_back(triangle(t));
+  }
+
+  Polygon triangle(std::size_t t) const { return {{mesh_.triangles[t].begin(), mesh_.triangles[t].end()}, {t}}; }
+
+  void make_cells() {
+    cells_ = {.points = mesh_.points};
+    middle_of_.clear();
+    for (Polygon& polygon : polygons_) divide(polygon);
+  }
+
+  /// Points on the facets may fold a cell where facets are finer than cells. Such polygons are divided flat, and pairs that are
+  /// flat already are divided as two triangles. Returns whether there are such polygons.
+  bool flatten_folded() {
+    std::vector<Polygon> halves;
+    bool has_folded = false;
+    for (Polygon& polygon : polygons_) {
+      const auto begin = cells_.quadrilaterals.begin() + static_cast<std::ptrdiff_t>(polygon.first_cell);
+      if (std::none_of(begin, begin + static_cast<std::ptrdiff_t>(polygon.corners.size()),
+                       [&](const auto& corners) { return is_folded(corners, cells_.points); }))
+        continue;
+      has_folded = true;
+      if (polygon.is_flat && polygon.triangles.size() == 2) {
+        halves.push_back(triangle(polygon.triangles[1]));
+        polygon = triangle(polygon.triangles[0]);
+      }
+      polygon.is_flat = true;
+      for (std::size_t k = 0; k < polygon.corners.size(); ++k)
+        flat_sides_.insert(ascending(polygon.corners[k], polygon.corners[(k + 1) % polygon.corners.size()]));
+    }
+    for (Polygon& half : halves) {
+      half.is_flat = true;
+      polygons_.push_back(std::move(half));
+    }
+    return has_folded;
+  }
+
   /// Adds a quadrilateral for each corner of a polygon: the corner, the middles of its sides, and the polygon's middle.
-  void divide(const Polygon& polygon, int face) {
+  void divide(Polygon& polygon) {
+    const std::vector<int>& corners = polygon.corners;
+    polygon.first_cell = cells_.quadrilaterals.size();
     Vector3d mean = Vector3d::Zero();
-    for (const int corner : polygon) mean += mesh_.points[corner] / static_cast<double>(polygon.size());
-    const int centre = add(projection_.on_facets(mean));
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const int last = polygon[(k + polygon.size() - 1) % polygon.size()], next = polygon[(k + 1) % polygon.size()];
-      cells_.quadrilaterals.push_back({polygon[k], middle(polygon[k], next), centre, middle(last, polygon[k])});
-      cells_.face_of.push_back(face);
+    for (const int corner : corners) mean += mesh_.points[corner] / static_cast<double>(corners.size());
+    const int centre = add(polygon.is_flat ? mean : projection_.on_facets(mean));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const int last = corners[(k + corners.size() - 1) % corners.size()], next = corners[(k + 1) % corners.size()];
+      cells_.quadrilaterals.push_back({corners[k], middle(corners[k], next), centre, middle(last, corners[k])});
+      cells_.face_of.push_back(mesh_.face_of[polygon.triangles.front()]);
     }
   }
 
@@ -110,8 +174,9 @@ class CellBuilder {
     if (const auto known = middle_of_.find(ends); known != middle_of_.end()) return known->second;
     const Vector3d between = (mesh_.points[a] + mesh_.points[b]) / 2;
     const auto curve = curve_at_.find(ends);
-    const int point =
-        add(curve == curve_at_.end() ? projection_.on_facets(between) : projection_.on_curve(between, curve->second));
+    const int point = add(flat_sides_.contains(ends) ? between
+                          : curve == curve_at_.end() ? projection_.on_facets(between)
+                                                     : projection_.on_curve(between, curve->second));
     middle_of_.emplace(ends, point);
     return point;
   }
@@ -123,6 +188,8 @@ class CellBuilder {
 
   const Remeshed& mesh_;
   const FacetProjection& projection_;
+  std::vector<Polygon> polygons_{};
+  std::set<Ends> flat_sides_{};
   std::map<Ends, int> curve_at_{}, middle_of_{};
   Cells cells_{};
 };
@@ -132,7 +199,9 @@ class CellBuilder {
 Cells quadrilaterals(const Facets& facets, double size, const std::string& name) {
   constexpr double side_of_triangles = 2.2;  // of those that become quadrilaterals with sides of about 1
   const FacetProjection projection(facets);
-  return CellBuilder(remesh(facets, side_of_triangles * size, name), projection).build();
+  Remeshed mesh = remesh(facets, side_of_triangles * size, name);
+  untangle(mesh);
+  return CellBuilder(mesh, projection).build();
 }
 
 }  // namespace plastron::facets
