@@ -40,9 +40,19 @@ Eigen::Vector3d compression(const Eigen::Vector3d& n) {
   return {negative(0, 0), negative(1, 1), negative(0, 1)};
 }
 
-/// Returns the geometric stiffness, tied like the strains; but compressive N work at the points of the strain 12. At their own
-/// points, k x (k + 1) of them, the strains 11 feel motions P_k(xi_2) f(xi_1), which the tied strain 12 does not see: where a cell
-/// is narrow and compressed, they would lower the energy (docs/methods/finite-rotations.md).
+/// Returns stresses at the sampling points, so that their sum with sampled strains is that with the tied strains.
+Eigen::MatrixXd at_samples(const element::Sampling& sampling, const Eigen::MatrixXd& stresses) {
+  Eigen::MatrixXd sampled =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sampling.basis.xi.size()), stresses.cols());
+  for (Eigen::Index q = 0; q < stresses.rows(); ++q)
+    for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)])
+      sampled.row(t) += weight * stresses.row(q);
+  return sampled;
+}
+
+/// Returns the geometric stiffness, tied like the strains; but compressive N, and M, work at the points of the strain 12. At other
+/// points they feel motions P_k(xi_2) f(xi_1), which the tied strain 12 does not see: where a cell is narrow, and compressed or
+/// strongly bent, these would lower the energy (docs/methods/finite-rotations.md).
 ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses) {
   const element::ElementTables& tables = shell.tables();
   CellStrain others = stresses;
@@ -52,7 +62,6 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
     others.row(q).head<3>() -= compressive.row(q);
   }
   ScalarBlocks k = zero_blocks(tables.nodes_per_cell());
-  k.of_u_and_r = of_gradients(tables.quadrature, stresses.middleCols<3>(3));
   for (std::size_t s = 0; s < tables.samplings.size(); ++s) {
     const element::BasisAt& basis = tables.samplings[s].basis;
     const ShellOperator::SampledStrain sampled = shell.sampled_stresses(s, others);
@@ -61,11 +70,8 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
                     weighted_product(basis.d2, sampled.col(4), basis.value);
   }
   const element::Sampling& sampling = sampling_of_12(tables);
-  Eigen::MatrixX3d sampled = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(sampling.basis.xi.size()), 3);
-  for (int q = 0; q < tables.points_per_cell(); ++q)
-    for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)])
-      sampled.row(t) += weight * compressive.row(q);
-  k.of_u += of_gradients(sampling.basis, sampled);
+  k.of_u += of_gradients(sampling.basis, at_samples(sampling, compressive));
+  k.of_u_and_r += of_gradients(sampling.basis, at_samples(sampling, stresses.middleCols<3>(3)));
   return k;
 }
 
