@@ -9,9 +9,7 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <set>
 
 namespace plastron::domain {
 
@@ -32,16 +30,11 @@ double length_of_sides(const geometry::TriangleMesh& mesh) {
   return length;
 }
 
-double length_of(const Facets& facets, const facets::FacetCurve& curve) {
-  double length = 0;
-  for (const auto& [from, to] : curve.sides) length += (facets.mesh.points[to] - facets.mesh.points[from]).norm();
-  return length;
-}
-
 /// Length of all folds, seams and borders [m].
 double length_of_curves(const Facets& facets) {
   double length = 0;
-  for (const facets::FacetCurve& curve : facets.curves) length += length_of(facets, curve);
+  for (const facets::FacetCurve& curve : facets.curves)
+    for (const auto& [from, to] : curve.sides) length += (facets.mesh.points[to] - facets.mesh.points[from]).norm();
   return length;
 }
 
@@ -147,19 +140,6 @@ MeshData meshed(const Facets& facets, double size, mesh::Shape shape, const std:
   return data;
 }
 
-/// Removes folds within one smooth face that are shorter than `least`, and returns their number. Cells cannot show them, and
-/// at their ends, where both sides are one surface, cells would be turned over.
-std::size_t remove_short_folds(Facets& facets, double least) {
-  std::map<std::array<int, 2>, std::set<int>> faces_at;
-  for (const geometry::TriangleSide& side : geometry::sorted_sides(facets.mesh))
-    faces_at[{side.low, side.high}].insert(facets.face_of[side.triangle]);
-  return std::erase_if(facets.curves, [&](const facets::FacetCurve& curve) {
-    if (curve.kind != facets::CurveKind::fold || length_of(facets, curve) > least) return false;
-    const auto& [a, b] = curve.sides.front();
-    return faces_at.at({std::min(a, b), std::max(a, b)}).size() == 1;
-  });
-}
-
 /// The folds that cells have as sides. A fold that is shorter than a cell may have none.
 std::vector<std::string> folds_of(const MeshData& data, const Facets& facets) {
   std::vector<bool> has_cells(facets.curves.size(), false);
@@ -234,19 +214,13 @@ std::vector<std::string> warnings_of(const Facets& facets, double size) {
 
 FacetMesh mesh_facets(const std::string& path, const SpaceReading& reading, mesh::Shape shape) {
   try {
-    constexpr double shortest_fold = 3;  // sides of cells
-    Facets facets = read_facets(path, reading);
+    const Facets facets = read_facets(path, reading);
     const double size = reading.size.value_or(default_size(facets));
     check_size(path, facets.mesh, size);
-    const std::size_t short_folds = remove_short_folds(facets, shortest_fold * size);
     FacetMesh mesh{.data = meshed(facets, size, shape, path), .reading = reading};
     mesh.data.source = path;
     mesh.data.notes = notes_of(facets, size, shape);
     mesh.data.warnings = warnings_of(facets, size);
-    if (short_folds > 0)
-      mesh.data.notes.push_back(
-          fmt::format("{} folds that end within a smooth face are shorter than {:.2g} m and are rounded by the cells",
-                      short_folds, shortest_fold * size));
     number_nodes(mesh.data);
     mesh.reading.scale = 1;
     mesh.reading.tolerance.reset();
