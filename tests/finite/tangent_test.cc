@@ -95,7 +95,7 @@ TEST(TangentMatrix, IsTheSecondDerivativeOfThePotentialOnDirectorsOfLengthOne) {
     K.multiply(z, K_z);
     discrete->coordinates.to_cartesian(z, w);
     const auto along = [&](double t) {
-      return potential(*discrete, with_unit_directors(discrete->space(), discrete->points, sum(y, t, w)));
+      return potential(*discrete, with_kept_lengths(discrete->space(), discrete->points, sum(y, t, w)));
     };
     const double t = 1e-3, second = algebra::dot(z, K_z);
     const auto difference = [&](double s) { return (along(s) - 2 * along(0) + along(-s)) / (s * s); };

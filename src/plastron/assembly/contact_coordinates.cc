@@ -199,7 +199,7 @@ std::array<Vector3d, 2> across(const Vector3d& n) {
   int smallest = 0;
   n.cwiseAbs().minCoeff(&smallest);
   const Vector3d first = n.cross(Vector3d::Unit(smallest)).normalized();
-  return {first, n.cross(first)};
+  return {first, n.cross(first).normalized()};
 }
 
 ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std::span<const std::size_t> order,

@@ -27,7 +27,7 @@ struct ContactCoordinates {
   std::vector<ContactPlace> places{};    ///< one for each gap
 };
 
-/// Returns two unit vectors that form an orthonormal basis with the unit vector n.
+/// Returns two unit vectors that are normal to n and to each other.
 std::array<Vector3d, 2> across(const Vector3d& n);
 
 /// Returns the coordinates of a node. `u`, `r`: orthonormal bases of the displacements and rotations that supports

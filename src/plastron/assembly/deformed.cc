@@ -71,11 +71,14 @@ void carry(const fem::PlacedBody& placed, const fem::BodyPlace& place, const std
   }
 }
 
+/// Returns r of a node whose director points along d and has its length in the reference.
+Vector3d rotation_to(const Vector3d& d, const NodalPoint& point) { return point.a3.norm() * d.normalized() - point.a3; }
+
 /// Turns the director of a kinked node in the plane of both directors so that their angle is that of the reference.
 void keep_angle(const NodalPoint& first, const NodalPoint& second, const Vector3d& d_first, Eigen::Map<Vector3d> r) {
-  const double cosine = first.a3.dot(second.a3), sine = first.a3.cross(second.a3).norm();
-  const Vector3d d = second.a3 + r, across = (d - d_first.dot(d) * d_first).normalized();
-  r = cosine * d_first + sine * across - second.a3;
+  const Vector3d a = first.a3.normalized(), b = second.a3.normalized(), along = d_first.normalized();
+  const Vector3d d = second.a3 + r, across = (d - along.dot(d) * along).normalized();
+  r = rotation_to(a.dot(b) * along + a.cross(b).norm() * across, second);
 }
 
 /// Where all three components of r are prescribed, replaces them by the way to the director, tangential to the present one.
@@ -83,7 +86,7 @@ void keep_angle(const NodalPoint& first, const NodalPoint& second, const Vector3
 bool prescribes_director(const Vector3d& a3, const Vector3d& now, NodeSupport& support) {
   const std::optional<Vector3d> director = prescribed_director(a3, support);
   if (!director) return false;
-  const Vector3d way = director->normalized() - now;
+  const Vector3d way = now.norm() * director->normalized() - now;
   support.rotation.clear();
   for (const Vector3d& direction : across(now)) support.rotation.emplace_back(direction, direction.dot(way));
   return true;
@@ -111,11 +114,11 @@ std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vect
   return places;
 }
 
-algebra::Vector with_unit_directors(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y) {
+algebra::Vector with_kept_lengths(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y) {
   const std::vector<fem::BodyPlace> places = body_places(space, points, y);
   const auto rotation = [&](std::size_t node) { return Eigen::Map<Vector3d>(y.at(node).data() + 3); };
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!rotation(i).isZero(0)) rotation(i) = (points[i].a3 + rotation(i)).normalized() - points[i].a3;
+    if (!rotation(i).isZero(0)) rotation(i) = rotation_to(points[i].a3 + rotation(i), points[i]);
   for (const constraints::Row& kink : space.kinks.rows()) {
     const auto first = static_cast<std::size_t>(kink.terms.front().node), second = static_cast<std::size_t>(kink.node);
     keep_angle(points[first], points[second], points[first].a3 + rotation(first), rotation(second));
@@ -129,7 +132,7 @@ std::vector<NodalPoint> moved_points(std::vector<NodalPoint> points, const algeb
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector6 moved = node_values(y, i);
     points[i].phi += moved.head<3>();
-    if (!moved.tail<3>().isZero(0)) points[i].a3 = (points[i].a3 + moved.tail<3>()).normalized();
+    points[i].a3 += moved.tail<3>();
   }
   return points;
 }
@@ -156,7 +159,7 @@ std::vector<NodeSupport> remaining_supports(std::vector<NodeSupport> supports, c
     support.displacement_scale = std::max(support.displacement_scale, points[i].thickness);
     support.rotation_scale = std::max(support.rotation_scale, 1.0);
     for (auto& [direction, value] : support.displacement) value -= direction.dot(now.head<3>());
-    if (prescribes_director(a3, (a3 + now.tail<3>()).normalized(), support)) continue;
+    if (prescribes_director(a3, a3 + now.tail<3>(), support)) continue;
     for (auto& [direction, value] : support.rotation) value -= direction.dot(now.tail<3>());
   }
   return supports;

@@ -1,4 +1,5 @@
-// The nodes of a shell with finite rotations (M23) at a state: y = phi + u, d = a_3 + r, |d| = 1. The unknowns are those of the
+// The nodes of a shell with finite rotations (M23) at a state: y = phi + u, d = a_3 + r, |d| = |a_3|. That is 1 on charts; the
+// directors of meshes in space are polynomials, of length 1 only at the nodes of the file. The unknowns are those of the
 // linear model, (u, r). Supports and motions are those of increments from the state.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
@@ -14,9 +15,9 @@ namespace plastron::assembly {
 std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vector<NodalPoint>& points,
                                         const algebra::Vector& y);
 
-/// Returns (u, r) with directors of length 1 at all nodes except hanging ones, which are interpolated. Kinks keep their
-/// angle. Rigid bodies take their nodes to their places (collective).
-algebra::Vector with_unit_directors(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y);
+/// Returns (u, r) with directors of their lengths in the reference at all nodes except hanging ones, which are interpolated. Kinks
+/// keep their angle. Rigid bodies take their nodes to their places (collective).
+algebra::Vector with_kept_lengths(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y);
 
 /// Returns the nodal points in their deformed places, with directors as normals. Weights are those of the reference.
 std::vector<NodalPoint> moved_points(std::vector<NodalPoint> points, const algebra::Vector& y);

@@ -63,7 +63,7 @@ void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Spac
   State increments = discrete.state;
   increments.displacement = {};
   algebra::Vector& y = discrete.state.displacement;
-  y = discrete.state.is_deformed() ? with_unit_directors(discrete.space(), discrete.points, std::move(y))
+  y = discrete.state.is_deformed() ? with_kept_lengths(discrete.space(), discrete.points, std::move(y))
                                    : algebra::Vector(discrete.space().layout, 6);
   discrete.moved = moved_points(discrete.points, y);
   discrete.places = body_places(discrete.space(), discrete.points, y);

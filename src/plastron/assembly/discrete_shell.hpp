@@ -93,7 +93,7 @@ struct DiscreteShell {
 };
 
 /// Linearises the shell at another state: gaps at the faces that the state has moved, their coordinates and bounds, and
-/// the loads. With finite rotations directors get length 1, the loads of rigid bodies turn with them, and initial stresses are
+/// the loads. With finite rotations directors keep their lengths, the loads of rigid bodies turn with them, and initial stresses are
 /// no loads; the state has a displacement afterwards, zero if it had none (collective). Throws SupportError, ObstacleError.
 void linearise(DiscreteShell& discrete, State state);
 

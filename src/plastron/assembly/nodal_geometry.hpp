@@ -17,7 +17,7 @@ using geometry::Vector3d;
 struct NodalPoint {
   Eigen::Vector2d x;       ///< parameters in Omega
   Vector3d phi;            ///< position [m]
-  Vector3d a3;             ///< unit normal
+  Vector3d a3;             ///< unit normal, or director (geometry::Frame)
   double thickness;        ///< e, the largest of the cells that meet [m]
   double young;            ///< E, the largest of the cells that meet [Pa]
   double weight;           ///< nodal quadrature weight: mid-surface area of the node, or 0 [m^2]

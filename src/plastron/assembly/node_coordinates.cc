@@ -133,7 +133,7 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   PLASTRON_ASSERT(lifts.size() == gaps.size(), lifts.size(), gaps.size());
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const Split u = split(support.displacement, {}, point.x, {support.displacement_scale, rounding * size}),
-              r = split(support.rotation, {point.a3}, point.x, {support.rotation_scale, rounding});
+              r = split(support.rotation, {point.a3.normalized()}, point.x, {support.rotation_scale, rounding});
   NodeCoordinates node;
   // Vertices of triangles of degree 2 have no weight in (M21), hence no bound.
   const auto counted = point.weight > 0 ? gaps : gaps.first(0);

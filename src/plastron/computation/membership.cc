@@ -71,8 +71,8 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
   const fem::Space& space = discrete.space();
   algebra::Vector continuous = y;
   space.continuity.apply(continuous);
-  const algebra::Vector unit =
-      discrete.has_finite_rotations() ? with_unit_directors(space, discrete.points, y) : algebra::Vector();
+  const algebra::Vector kept =
+      discrete.has_finite_rotations() ? with_kept_lengths(space, discrete.points, y) : algebra::Vector();
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(space.layout->owned); ++i) {
     const double e = discrete.points[i].thickness;
@@ -81,7 +81,7 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
     if (space.continuity.constrains(i))
       error = length_of(as_length(here - node_values(continuous, i), e));
     else if (discrete.has_finite_rotations())
-      error = length_of(as_length(here - node_values(unit, i), e)) + kink_jump(space, y, i);
+      error = length_of(as_length(here - node_values(kept, i), e)) + kink_jump(space, y, i);
     else if (coordinates.width < 6)  // also at kinks and bodies: bases span all of u, and r tangent to the shell
       error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
     if (!(error <= most)) most = error;  // also for a NaN

@@ -38,13 +38,14 @@ void check_directors(Examined& examined) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto director = assembly::prescribed_director(points[i].a3, rows[i]);
     if (!director) continue;
-    if (std::abs(director->norm() - 1) > most)
+    const Eigen::Vector3d& a3 = points[i].a3;
+    if (std::abs(director->norm() / a3.norm() - 1) > most)
       return examined.add(
           Severity::error,
           "supports prescribe all of r at {}: the director a3 + r has the length {:.3g}, and with finite "
           "rotations it must be 1; prescribe r = d - a3 with a unit vector d",
           examined.place(points[i].x), director->norm());
-    if (director->normalized().dot(points[i].a3) < opposite)
+    if (director->normalized().dot(a3.normalized()) < opposite)
       return examined.add(
           Severity::error,
           "supports turn the director at {} by half a turn, and nothing says which way; let a rigid body "

@@ -34,7 +34,7 @@ struct NewtonStep {
 };
 
 /// Returns the same shell with finite rotations, at the state that a linear solution suggests: its displacements with
-/// directors of length 1 (collective). Throws SupportError, ObstacleError.
+/// directors of their lengths in the reference (collective). Throws SupportError, ObstacleError.
 std::unique_ptr<assembly::DiscreteShell> with_finite_rotations(const assembly::DiscreteShell& discrete,
                                                                const solution::NodalSolution& solution);
 

@@ -75,7 +75,7 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
   return k;
 }
 
-/// Adds the curvature of the spheres of directors: -(f_i . d_i) s_i . t_i, f_i the couple of all forces on r.
+/// Adds the curvature of the spheres of directors: -(f_i . d_i) s_i . t_i / |d_i|^2, f_i the couple of all forces on r.
 void add_curvature_of_spheres(const assembly::DiscreteShell& discrete, const algebra::Vector& forces,
                               const Prestress& prestress, const assembly::NodalCoordinates& coordinates,
                               algebra::Matrix& matrix) {
@@ -84,7 +84,8 @@ void add_curvature_of_spheres(const assembly::DiscreteShell& discrete, const alg
     if (coordinates.space->constraints.constrains(i)) continue;
     const Vector3d couple = assembly::node_values(forces, i).tail<3>();
     const RowMatrix turn = coordinates.basis[i].bottomRows<3>().leftCols(width);
-    const RowMatrix k = (prestress.contact_couples[i] - couple.dot(discrete.place(i).a3)) * turn.transpose() * turn;
+    const Vector3d& d = discrete.place(i).a3;
+    const RowMatrix k = (prestress.contact_couples[i] - couple.dot(d)) / d.squaredNorm() * turn.transpose() * turn;
     const auto node = static_cast<algebra::LocalIndex>(i);
     matrix.add({&node, 1}, {k.data(), static_cast<std::size_t>(k.size())});
   }

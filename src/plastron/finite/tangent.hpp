@@ -1,5 +1,5 @@
 // The shell with finite rotations (M23-M27) at a state: stresses, forces and tangent stiffness. The unknowns are those of
-// the linear model, (u, r); at nodes that nothing constrains the director a_3 + r has length 1.
+// the linear model, (u, r); at nodes that nothing constrains the director a_3 + r has the length of a_3.
 //
 // The Newton steps are those of mixed integration points: stresses are unknowns of a step, so that the geometric stiffness
 // takes them from the linearised strains and not from the strains of the state. The latter contain the stretch theta^2/2 that

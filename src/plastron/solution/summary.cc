@@ -30,15 +30,15 @@ struct Sums {
 };
 
 /// Returns the angle between the normal and the director a_3 + r; |r| with small rotations [rad].
-double rotation_of(const assembly::DiscreteShell& discrete, const Vector3d& r) {
-  return discrete.has_finite_rotations() ? 2 * std::asin(std::min(1.0, r.norm() / 2)) : r.norm();
+double rotation_of(const assembly::DiscreteShell& discrete, const Vector3d& director, const Vector3d& r) {
+  return discrete.has_finite_rotations() ? 2 * std::asin(std::min(1.0, r.norm() / (2 * director.norm()))) : r.norm();
 }
 
 void note_size(const assembly::DiscreteShell& discrete, const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
   const double u = y.head<3>().norm();
   sums.displacement = std::max(sums.displacement, u);
   sums.relative_displacement = std::max(sums.relative_displacement, u / p.thickness);
-  sums.rotation = std::max(sums.rotation, rotation_of(discrete, y.tail<3>()));
+  sums.rotation = std::max(sums.rotation, rotation_of(discrete, p.a3, y.tail<3>()));
   sums.thickness = std::min(sums.thickness, p.thickness);
 }
 
