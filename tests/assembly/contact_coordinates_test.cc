@@ -98,10 +98,27 @@ TEST(ContactCoordinates, LeaveOutTheFarFaceOnTheSameSide) {
   }
 }
 
-TEST(ContactCoordinates, BoundBothFacesOfAShellBetweenPlates) {
+// The two gaps differ by a rotation times the slope. A shell of finite thickness cannot touch both plates unless it is squeezed.
+TEST(ContactCoordinates, BoundTheFarFaceOfAShellBetweenPlatesByTheCoordinateOfTheNearOne) {
+  for (const double slope : {2e-6, 1e-4, 1e-2, 0.05})
+    for (const bool ceiling_first : {false, true}) {
+      std::vector<Gap> gaps{gap({0, 0, 1}, -half, 0.1), gap({0, 0, -1}, half, 0.2)};
+      if (ceiling_first) std::swap(gaps[0], gaps[1]);
+      const std::size_t near = ceiling_first ? 1 : 0, far = 1 - near;
+      const ContactCoordinates found = coordinates(gaps, everywhere, tangents({slope, 0, 1}));
+      EXPECT_LT(largest(found), 2) << slope;
+      EXPECT_FALSE(found.places[near].is_approximate);
+      EXPECT_TRUE(found.places[far].is_approximate);
+      EXPECT_EQ(found.places[far].coordinate, found.places[near].coordinate);
+      EXPECT_NEAR(found.places[far].scale, -1, slope);
+    }
+}
+
+TEST(ContactCoordinates, SeparateTheFacesWhereTheRotationMovesThem) {
   const std::vector<Gap> gaps{gap({0, 0, 1}, -half), gap({0, 0, -1}, half)};
-  const ContactCoordinates found = coordinates(gaps, everywhere, tangents({1e-3, 0, 1}));
+  const ContactCoordinates found = coordinates(gaps, everywhere, tangents({1, 0, 2}));
   EXPECT_EQ(left_out(found), (std::vector{false, false}));
+  EXPECT_FALSE(found.places[0].is_approximate || found.places[1].is_approximate);
   expect_coordinates(gaps, found);
 }
 

@@ -1,4 +1,5 @@
 // Shells between two obstacles, against plane references with 16 digits (an exact solution between the edges of contact).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 
@@ -114,6 +115,59 @@ TEST(AFarRoller, ChangesNothing) {
   ASSERT_EQ(three.status, contact::Status::solved);
   EXPECT_NEAR(three.summary.energy.total() / two.summary.energy.total(), 1, 1e-9);
   EXPECT_EQ(three.summary.obstacles.at(2).nodes, 0);
+}
+
+/// A strip of length L with a small wave, pushed at its right end below its buckling load.
+problem::Problem pushed_strip(element::Rotations rotations, double L, bool is_upright) {
+  const auto in_units = [&](double x) { return fmt::format("{:.17g}", x * L); };
+  const std::string wave = in_units(5e-5) + "*(1 - cos(2*pi*x/" + in_units(1) + "))";
+  problem::Problem p;
+  p.domain = domain::Rectangle{.to = {L, 0.05 * L}, .cells = {6, 1}};
+  p.charts = {{"", Chart({is_upright ? "-" + wave : "x", "y", is_upright ? "x" : wave}, {})}};
+  p.shell.sections.common.thickness = Expression(0.005 * L);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e9, 0.3, 1);
+  p.shell.rotations = rotations;
+  p.shell.supports = {clamped("left"), clamped("right")};
+  p.shell.supports.back().components[is_upright ? 2 : 0].value = Expression(-2.8e-5 * L);
+  p.discretisation = {.degree = 2, .refinements = 0};
+  return p;
+}
+
+using Shapes = std::vector<obstacle::Shape>;
+
+/// Bodies around the middle of the strip at about these distances from it, on both sides and at its end.
+std::vector<Shapes> bodies_around(double L, double distance, bool is_upright) {
+  const Vector3d across = is_upright ? Vector3d(-1, 0, 0) : Vector3d(0, 0, 1),
+                 along = is_upright ? Vector3d(0, 0, 1) : Vector3d(1, 0, 0), middle = L / 2 * along,
+                 d = distance * L * across;
+  const obstacle::HalfSpace floor{middle - d, across}, ceiling{middle + d, -across},
+      inclined{middle + 2 * d, (0.05 * along - across).normalized()}, wall{(1 + distance) * L * along, -along};
+  const obstacle::Ball below{middle - d - 3 * L * across, 3 * L}, above{middle + d + 2 * L * across, 2 * L};
+  const obstacle::Cylinder tube{.point = middle, .axis = along, .radius = distance * L, .inside = true};
+  return {{floor, ceiling},     {inclined, floor},      {ceiling, below},
+          {below, above, wall}, {floor, wall, ceiling}, {tube, floor}};
+}
+
+// The gaps of both faces change oppositely, but for the slope of the shell: their difference is a rotation divided by it.
+TEST(ObstaclesOnBothSides, ThatAreNotTouchedChangeNothing) {
+  for (const auto rotations : {element::Rotations::small, element::Rotations::finite})
+    for (const double L : {1.0, 1e-6, 1e6})
+      for (const bool is_upright : {false, true}) {
+        problem::Problem p = pushed_strip(rotations, L, is_upright);
+        const Result alone = solve(p, MPI_COMM_SELF);
+        ASSERT_EQ(alone.status, contact::Status::solved) << alone.missed_limits;
+        for (const double distance : {0.3, 100.0})
+          for (const Shapes& shapes : bodies_around(L, distance, is_upright)) {
+            p.shell.obstacles.all.clear();
+            for (const obstacle::Shape& shape : shapes)
+              p.shell.obstacles.all.push_back({.name = std::to_string(p.shell.obstacles.all.size()), .shape = shape});
+            const Result among = solve(p, MPI_COMM_SELF);
+            ASSERT_EQ(among.status, contact::Status::solved) << L << " " << distance << among.missed_limits;
+            EXPECT_NEAR(among.summary.energy.total() / alone.summary.energy.total(), 1, 1e-8);
+            EXPECT_EQ(among.summary.touching_nodes, 0);
+            EXPECT_LE(among.levels.back().iterations, alone.levels.back().iterations + 2);
+          }
+      }
 }
 
 TEST(ATubeBetweenPlates, GetsShorterAsARingDoes) {

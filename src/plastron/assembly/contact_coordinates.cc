@@ -31,6 +31,10 @@ std::vector<Vector3d> orthogonal_part(const std::vector<Vector3d>& free, const V
   return {};
 }
 
+double change_of(const obstacle::Gap& gap, const ContactColumn& column) {
+  return gap.normal.dot(column.u + gap.arm * column.r);
+}
+
 Vector3d projection(const std::vector<Vector3d>& onto, const Vector3d& v) {
   Vector3d p = Vector3d::Zero();
   for (const Vector3d& d : onto) p += d.dot(v) * d;
@@ -142,13 +146,20 @@ std::optional<ContactPlace> parallel_place(const GapRows& rows, Index row, const
   return {};
 }
 
-/// Whether the row is of the far face where the near face of the shell, k, already has a bound in the same direction.
-/// The far face is a thickness behind: it is not the first to touch. Coordinates that separate the two gaps would be
+/// Whether the row is of the other face than the coordinate's row k, and its direction is nearly that of k or opposite to it.
+/// The two gaps together change with the rotation alone, by the slope of the shell. Coordinates that separate them would be
 /// rotations divided by the slope, and their stiffness would be divided by its square.
-bool is_far_face(const GapRows& rows, Index row, Index k) {
+bool is_other_face(const GapRows& rows, Index row, Index k) {
   constexpr double nearly_parallel = 0.2;  // the obstacle's normal is within 6 degrees of the shell's
-  return rows.arms[row] * rows.arms[k] < 0 && rows.scale(row, k) > 0 &&
-         rows.difference(row, k) <= nearly_parallel * rows.all.row(row).norm();
+  return rows.arms[row] * rows.arms[k] < 0 && rows.difference(row, k) <= nearly_parallel * rows.all.row(row).norm();
+}
+
+/// Returns the coordinate of a gap on the other side of the shell: the two gaps cannot both close unless the shell is squeezed.
+std::optional<ContactPlace> opposite_place(const GapRows& rows, Index row, const std::vector<Index>& coordinates) {
+  for (std::size_t k = 0; k < coordinates.size(); ++k)
+    if (is_other_face(rows, row, coordinates[k]) && rows.scale(row, coordinates[k]) < 0)
+      return ContactPlace{.coordinate = static_cast<int>(k), .is_approximate = true};
+  return {};
 }
 
 /// Whether the row depends on the coordinates' rows. `rest` is its part that is orthogonal to all of them.
@@ -173,9 +184,13 @@ Choice choose(const GapRows& rows, std::span<const std::size_t> order) {
       place = *parallel;
       continue;
     }
+    if (const auto opposite = opposite_place(rows, i, choice.coordinates)) {
+      place = *opposite;
+      continue;
+    }
     const Eigen::RowVectorXd rest = row - row * span.transpose() * span;
     place.is_left_out = depends_on_several(rows, i, choice.coordinates, rest.norm()) ||
-                        std::ranges::any_of(choice.coordinates, [&](Index k) { return is_far_face(rows, i, k); });
+                        std::ranges::any_of(choice.coordinates, [&](Index k) { return is_other_face(rows, i, k); });
     if (place.is_left_out) continue;
     span.conservativeResize(span.rows() + 1, Eigen::NoChange);
     span.bottomRows(1) = rest.normalized();
@@ -213,7 +228,8 @@ ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std:
   std::vector<std::size_t> as_given(gaps.size());
   std::iota(as_given.begin(), as_given.end(), 0);
   Choice choice = choose(rows, as_given);
-  if (std::ranges::any_of(choice.places, &ContactPlace::is_left_out)) choice = choose(rows, order);
+  if (std::ranges::any_of(choice.places, [](const ContactPlace& p) { return p.is_left_out || p.is_approximate; }))
+    choice = choose(rows, order);
   result.places = choice.places;
   if (choice.coordinates.empty()) {
     result.columns = without_gaps(u, r);
@@ -222,6 +238,9 @@ ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std:
     for (Index k = 0; k < F.rows(); ++k) F.row(k) = rows.all.row(choice.coordinates[static_cast<std::size_t>(k)]);
     result.columns = around_gaps(rows, F);
   }
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (ContactPlace& place = result.places[i]; place.is_approximate)
+      place.scale = change_of(gaps[i], result.columns[static_cast<std::size_t>(place.coordinate)]);
   return result;
 }
 

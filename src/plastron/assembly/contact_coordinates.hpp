@@ -20,6 +20,9 @@ struct ContactPlace {
   double scale = 1;
   /// The gap depends on nearer gaps and has no bound: it is nearly a combination of several, or that of the far face.
   bool is_left_out = false;
+  /// The gap is that of the other face, between the shell and an obstacle on its other side. It also changes with other
+  /// coordinates, by the slope of the shell, which its bound does not contain.
+  bool is_approximate = false;
 };
 
 struct ContactCoordinates {
@@ -31,8 +34,8 @@ struct ContactCoordinates {
 std::array<Vector3d, 2> across(const Vector3d& n);
 
 /// Returns the coordinates of a node. `u`, `r`: orthonormal bases of the displacements and rotations that supports
-/// leave free. `order`: the gaps, the most important first. This order is used only where some gaps must be left out.
-/// Elsewhere the gaps keep their given order.
+/// leave free. `order`: the gaps, the most important first. This order is used only where some gaps must be left out or have
+/// an approximate bound. Elsewhere the gaps keep their given order.
 ContactCoordinates contact_coordinates(std::span<const obstacle::Gap> gaps, std::span<const std::size_t> order,
                                        const std::vector<Vector3d>& u, const std::vector<Vector3d>& r);
 

@@ -115,14 +115,34 @@ void bound(NodeCoordinates& node) {
   }
 }
 
-/// Returns the gaps in the order of their size at (u, r) = at.
-std::vector<std::size_t> nearest_first(std::span<const obstacle::Gap> gaps, const Vector3d& a3,
-                                       const Eigen::Matrix<double, 6, 1>& at) {
+/// Returns the gaps at a state of the node.
+std::vector<double> gaps_at(std::span<const obstacle::Gap> gaps, const Vector3d& a3,
+                            const Eigen::Matrix<double, 6, 1>& state) {
+  const Vector3d u = state.head<3>(), r = geometry::tangential(state.tail<3>(), a3);
+  std::vector<double> values;
+  for (const obstacle::Gap& gap : gaps) values.push_back(gap(u, r));
+  return values;
+}
+
+/// Returns the gaps in the order of their size.
+std::vector<std::size_t> nearest_first(std::span<const double> gaps) {
   std::vector<std::size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), 0);
-  const Vector3d u = at.head<3>(), r = geometry::tangential(at.tail<3>(), a3);
-  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return gaps[k](u, r); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return gaps[k]; });
   return order;
+}
+
+/// Gives approximate bounds the gaps of the state: the other coordinates stay as they are there.
+void keep_state(std::span<const double> gaps, std::span<const double> lifts, std::vector<ContactRow>& rows) {
+  const auto at_state = [&](const ContactRow& row) {
+    return gaps[static_cast<std::size_t>(row.obstacle)] - lifts[static_cast<std::size_t>(row.obstacle)];
+  };
+  for (ContactRow& row : rows) {
+    if (!row.is_approximate) continue;
+    const auto exact = std::ranges::find_if(
+        rows, [&](const ContactRow& other) { return !other.is_approximate && other.coordinate == row.coordinate; });
+    row.bound_gap = at_state(row) - row.scale * (at_state(*exact) - exact->bound_gap) / exact->scale;
+  }
 }
 
 }  // namespace
@@ -137,7 +157,8 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   NodeCoordinates node;
   // Vertices of triangles of degree 2 have no weight in (M21), hence no bound.
   const auto counted = point.weight > 0 ? gaps : gaps.first(0);
-  const ContactCoordinates contact = contact_coordinates(counted, nearest_first(counted, point.a3, at), u.free, r.free);
+  const std::vector<double> at_state = gaps_at(counted, point.a3, at);
+  const ContactCoordinates contact = contact_coordinates(counted, nearest_first(at_state), u.free, r.free);
   prescribe(u, r, contact.columns, node);
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     const auto place = k < contact.places.size() ? contact.places[k] : ContactPlace{};
@@ -147,8 +168,10 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
                          .scale = place.scale,
                          .bound_gap = point.weight > 0 ? gap_of_prescribed(gaps[k], u, r) - lift
                                                        : std::numeric_limits<double>::quiet_NaN(),
-                         .is_left_out = place.is_left_out});
+                         .is_left_out = place.is_left_out,
+                         .is_approximate = place.is_approximate});
   }
+  keep_state(at_state, lifts, node.rows);
   bound(node);
   const double most = support.rotation.empty() ? no_bound : 0;
   node.basis.col(5) << Vector3d::Zero(), point.a3;

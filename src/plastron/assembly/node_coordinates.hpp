@@ -2,7 +2,8 @@
 // bounds.
 //
 //   first   a coordinate for each independent contact row: the change of a gap, n . (u + z r). A row parallel to an
-//           earlier one bounds the same coordinate, from the other side if it points the other way.
+//           earlier one bounds the same coordinate, from the other side if it points the other way. A row of the other
+//           face that is nearly opposite to an earlier one bounds it approximately.
 //   then    displacements that do not change these gaps, rotations in the tangent plane
 //   then    the components that supports prescribe
 //   last    r . a_3, which does not change the gaps
@@ -43,8 +44,9 @@ struct ContactRow {
   double scale = 1;     ///< negative where the row bounds its coordinate from above
   /// gap - lift at z_coordinate = 0, prescribed values included; NaN where the nodal weight is 0 [m]
   double bound_gap = 0;
-  bool is_left_out = false;  ///< the gap depends on several nearer gaps and bounds nothing
-  bool binds = false;        ///< the tightest row on its side of its coordinate: only this row can be in contact
+  bool is_left_out = false;     ///< the gap depends on several nearer gaps and bounds nothing
+  bool binds = false;           ///< the tightest row on its side of its coordinate: only this row can be in contact
+  bool is_approximate = false;  ///< the bound is exact only where the other coordinates are those of the state
 
   bool is_touchable() const { return coordinate >= 0; }
 };

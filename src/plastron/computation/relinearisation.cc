@@ -15,14 +15,16 @@ using assembly::node_values;
 using assembly::Vector6;
 using Eigen::Vector3d;
 
-/// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for the rows that
-/// are left out.
+/// Whether the row's bound may differ from the gap for any obstacle.
+bool is_inexact(const assembly::ContactRow& row) { return row.is_left_out || row.is_approximate; }
+
+/// Calls check(row, obstacle, touches) for the contact rows of curved obstacles at owned nodes, and for inexact rows.
 template <class Check>
 void for_rows(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, const Check& check) {
   const auto obstacles = discrete.obstacles.all.size();
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    if (!row.is_left_out && (!row.is_touchable() || discrete.obstacles.all[k].is_plane())) continue;
+    if (!is_inexact(row) && (!row.is_touchable() || discrete.obstacles.all[k].is_plane())) continue;
     check(row, k, solution.touching.local()[row.node * obstacles + k] != 0);
   }
 }
@@ -61,10 +63,8 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
 bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
   const bool is_curved =
       std::ranges::any_of(discrete.obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
-  return is_curved ||
-         algebra::sum_over_ranks(
-             std::int64_t{std::ranges::any_of(discrete.coordinates.rows, &assembly::ContactRow::is_left_out)},
-             discrete.space().layout->comm) > 0;
+  return is_curved || algebra::sum_over_ranks(std::int64_t{std::ranges::any_of(discrete.coordinates.rows, is_inexact)},
+                                              discrete.space().layout->comm) > 0;
 }
 
 GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {

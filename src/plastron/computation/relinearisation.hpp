@@ -1,6 +1,7 @@
 // The outer loop over linearised gaps (M16): solve, then linearise at the displaced faces, until the linearised gap
 // equals the distance of the deformed faces from the obstacles. Planes do not need it because their gap is linear. If
-// an obstacle is left out at a node because others are nearer, it is included when the shell has come closer to it.
+// an obstacle is left out at a node because others are nearer, it is included when the shell has come closer to it. So is the
+// exact gap of an obstacle on the other side of the shell.
 #pragma once
 #include <plastron/problem/problem.hpp>
 #include <plastron/solution/nodal_solution.hpp>
@@ -16,8 +17,8 @@ struct GapError {
 };
 GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
-/// Whether another linearisation can be needed: there are curved obstacles, or rows that are left out and may become
-/// relevant (collective).
+/// Whether another linearisation can be needed: there are curved obstacles, or rows without an exact bound that may
+/// become relevant (collective).
 bool has_rows_to_meet(const assembly::DiscreteShell& discrete);
 
 /// Distance of a solution from the state at which its gaps were linearised.
