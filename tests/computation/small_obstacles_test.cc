@@ -236,5 +236,53 @@ TEST(ABall, IsFollowedWhereAccuracyIsAskedFor) {
   EXPECT_NEAR(upward(r) / upward(roller), 1, 0.1);
 }
 
+/// A strip in plane strain on a body whose top is the plane z = 0 for 0 <= x <= 1. It hangs over both edges by one half.
+problem::Problem overhanging_strip(const obstacle::Shape& body, int cells, int degree, double L) {
+  problem::Problem p = with_chart(free_plate(), {"x", "y", fmt::format("{:.17g}", 0.05 * L)}, {});
+  p.domain = domain::Rectangle{.from = {-0.5 * L, 0}, .to = {1.5 * L, 0.2 * L}, .cells = {cells, 1}};
+  p.shell.sections.common.thickness = Expression(0.1 * L);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(1e7, 0, 1);
+  Support middle = held("", {Direction::x});
+  middle.point = Eigen::Vector2d(0.5 * L, 0);
+  p.shell.supports = {in_plane("bottom"), in_plane("top"), middle};
+  p.shell.loads.on_areas = {force(0, 0, -10)};
+  p.shell.obstacles.all = {{.shape = body}};
+  p.probes = {{.name = "end", .at = {1.5 * L, 0.1 * L}}, {.name = "middle", .at = {0.5 * L, 0.1 * L}}};
+  p.discretisation = {.degree = degree, .refinements = 0};
+  return p;
+}
+
+obstacle::Shape box_of_triangles(const obstacle::Box& box) {
+  obstacle::TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.points.push_back(box.centre +
+                          box.size.cwiseProduct(obstacle::Vector3d(k % 2 - 0.5, k / 2 % 2 - 0.5, k / 4 - 0.5)));
+  for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
+           {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  }
+  return obstacle::TriangleSurface(mesh, "box");
+}
+
+// Timoshenko's beam on two edges. No force acts along x, whether the mesh has nodes on the edges or not.
+TEST(SharpEdges, CarryAStripThatHangsOverThem) {
+  constexpr double end = -2.2125e-4, middle = 2.875e-5;
+  for (const auto rotations : {element::Rotations::small, element::Rotations::finite})
+    for (const double L : {1.0, 1e-3})
+      for (const auto& [cells, degree, error] : {std::tuple{8, 4, 2e-4}, {20, 2, 1e-3}, {19, 4, 0.02}}) {
+        const obstacle::Box box{.centre = {0.5 * L, 0.5 * L, -0.5 * L}, .size = {L, 3 * L, L}};
+        for (const obstacle::Shape& body : {obstacle::Shape(box), box_of_triangles(box)}) {
+          problem::Problem p = overhanging_strip(body, cells, degree, L);
+          p.shell.rotations = rotations;
+          const Result r = solve(p, MPI_COMM_WORLD);
+          ASSERT_EQ(r.status, Status::solved) << cells << " " << r.missed_limits;
+          EXPECT_NEAR(r.probes[0].values.u[2] / (end * L), 1, error) << cells << " " << L;
+          EXPECT_NEAR(r.probes[1].values.u[2] / (middle * L), 1, 5 * error) << cells << " " << L;
+          EXPECT_LT(std::abs(r.summary.reaction.force[0]), 1e-4 * r.summary.reaction.force[2]) << cells;
+        }
+      }
+}
+
 }  // namespace
 }  // namespace plastron::computation::small_obstacles_test

@@ -143,6 +143,101 @@ TEST(FaceGap, of_a_body_that_has_come_past_the_mid_surface_tells_the_face_it_cam
   EXPECT_LT((gap.normal + Vector3d::UnitZ()).norm(), 1e-12);
 }
 
+/// A sharp edge of a body of the size `length`: a point of it, and the normals of the two faces that meet there.
+struct SharpEdge {
+  const char* name;
+  Shape shape;
+  Vector3d point, first, second;
+};
+
+TriangleSurface cube_of_triangles(double length) {
+  TriangleMesh mesh;
+  for (int k = 0; k < 8; ++k) mesh.points.push_back(length * Vector3d(k % 2 - 0.5, k / 2 % 2 - 0.5, k / 4 - 0.5));
+  for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
+           {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  }
+  return {mesh, "cube"};
+}
+
+std::vector<SharpEdge> sharp_edges(double length) {
+  const Vector3d x = Vector3d::UnitX(), z = Vector3d::UnitZ(), top = length / 2 * (x + z);
+  return {{"box", Box{.size = length * Vector3d::Ones()}, top + 0.1 * length * Vector3d::UnitY(), z, x},
+          {"cylinder", Cylinder{.radius = length / 2, .length = length}, top, z, x},
+          {"cone", Cone{.height = length / 2}, top, z, (x - z).normalized()},
+          {"triangles", cube_of_triangles(length), top + 0.1 * length * Vector3d::UnitY(), z, x}};
+}
+
+/// A node whose face is at X with the unit normal `inward`, and whose neighbours are at the distance `spacing`.
+Gap gap_of_node(const Obstacle& body, const Vector3d& X, const Vector3d& inward, double spacing, bool is_upper) {
+  Reach reach;
+  reach.fill(spacing);
+  const Vector3d a3 = is_upper ? Vector3d(-inward) : inward;
+  return gap_at(body, {X + spacing * inward, a3, 2 * spacing}, reach);
+}
+
+// The face of a shell is smooth: on an edge it is pushed along its own normal, on whichever side of the edge the node is.
+TEST(Edge, PushesASmoothFaceAlongTheNormalOfTheFace) {
+  Random random;
+  for (const double length : {1.0, 1e-6, 1e6})
+    for (const SharpEdge& edge : sharp_edges(length))
+      for (int draw = 0; draw < 20; ++draw) {
+        SCOPED_TRACE(edge.name);
+        Obstacle body{.shape = edge.shape};
+        body.placement =
+            placed(random.vector().normalized(), 3 * random.vector()[0], Vector3d::Zero(), length * random.vector());
+        const auto turned = [&](const Vector3d& v) { return Vector3d(body.placement.rotation * v); };
+        const double spacing = 0.05 * length, part = 0.5 + 0.45 * random.vector()[0];
+        const Vector3d inward = ((1 - part) * edge.first + part * edge.second).normalized(),
+                       along = edge.first.cross(edge.second).normalized().cross(inward);
+        for (const double aside : {-0.5, -1e-9, 0.0, 1e-9, 0.3})
+          for (const double height : {0.01, 0.0, -0.01}) {
+            const Vector3d X = edge.point + spacing * (aside * along + height * inward);
+            const Gap gap = gap_of_node(body, body.placement.to_space(X), turned(inward), spacing, draw % 2 == 0);
+            EXPECT_LT((gap.normal - turned(inward)).norm(), 1e-6) << aside << " " << height;
+            EXPECT_NEAR(gap.initial, height * spacing, 1e-6 * spacing) << aside;
+          }
+      }
+}
+
+TEST(Edge, PushesAFaceThatLiesOnASideAlongTheNormalOfTheSide) {
+  for (const SharpEdge& edge : sharp_edges(1))
+    for (const double tilt : {0.0, 0.1})
+      for (const double aside : {-0.3, -1e-12, 0.0, 1e-12, 0.3}) {
+        const Vector3d out = edge.second - edge.first.dot(edge.second) * edge.first,
+                       inward = (edge.first - tilt * out.normalized()).normalized();
+        const Gap gap = gap_of_node({.shape = edge.shape}, edge.point + 0.05 * aside * out, inward, 0.05, false);
+        EXPECT_LT((gap.normal - edge.first).norm(), 1e-9) << edge.name << aside;
+        EXPECT_NEAR(gap.initial, 0, 1e-11) << edge.name << aside;
+      }
+}
+
+TEST(Edge, OfACornerPushesAlongTheNormalOfTheFaceToo) {
+  Random random;
+  for (const Shape& shape :
+       {Shape(Box{}), Shape(cube_of_triangles(1)), Shape(Cone{.apex = {0.5, 0.5, 0.5}, .axis = {0, 0, -1}})})
+    for (int draw = 0; draw < 20; ++draw) {
+      const Vector3d inward = (Vector3d(1, 1, 1.5) + 0.4 * random.vector()).normalized(),
+                     aside = 0.01 * inward.cross(random.vector());
+      const Gap gap = gap_of_node({.shape = shape}, Vector3d(0.5, 0.5, 0.5) + aside, inward, 0.05, false);
+      EXPECT_LT((gap.normal - inward).norm(), 1e-9);
+      EXPECT_NEAR(gap.initial, 0, 1e-12);
+    }
+}
+
+// Beyond the end of a shell there is no face, and an edge there pushes nothing.
+TEST(Edge, BeyondTheLastNodeOfTheShellIsNotTouched) {
+  const Vector3d inward = Vector3d(0.1, 0, 1).normalized(), out(1, 0, -0.1);
+  for (const bool ends : {false, true}) {
+    Reach reach;
+    reach.fill(0.05);
+    if (ends) reach[reach_direction(inward, out)] = 0;
+    const Gap gap = gap_at({.shape = Box{}}, {Vector3d(0.49, 0, 0.5) + 0.05 * inward, inward, 0.1}, reach);
+    EXPECT_LT((gap.normal - (ends ? Vector3d::UnitZ() : inward)).norm(), 1e-9);
+  }
+}
+
 TEST(Passage, is_through_where_an_obstacle_is_on_the_way_and_not_beside_it) {
   const Ball ball{.centre = {0, 0, -0.05}, .radius = 0.03};
   const auto down = [&](double x) {

@@ -31,6 +31,13 @@ struct RigidObstacles {
     gap.initial -= gap.normal.dot(way(k));
     return gap;
   }
+  /// The same at a node with this reach.
+  obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at, const obstacle::Reach& reach) const {
+    at.thickness *= face_scale;
+    obstacle::Gap gap = obstacle::gap_at(all[k], at, reach);
+    gap.initial -= gap.normal.dot(way(k));
+    return gap;
+  }
   /// Returns the gap between the shell at `at` and obstacle k, whose present position is `now`. It is linearised only
   /// if the gaps are linear, as with planes.
   obstacle::FaceGap true_gap(std::size_t k, const obstacle::Obstacle& now, obstacle::ShellPoint at) const {

@@ -20,26 +20,79 @@ namespace plastron::assembly {
 namespace {
 
 /// Returns the gaps of all local nodes, one list for each obstacle.
-std::vector<std::vector<obstacle::Gap>> all_gaps(const std::vector<NodalPoint>& points, const RigidObstacles& obstacles,
-                                                 const State& state) {
+std::vector<std::vector<obstacle::Gap>> all_gaps(const std::vector<NodalPoint>& points,
+                                                 const std::vector<obstacle::Reach>& reaches,
+                                                 const RigidObstacles& obstacles, const State& state) {
   std::vector<std::vector<obstacle::Gap>> gaps(obstacles.all.size());
   for (std::size_t k = 0; k < gaps.size(); ++k)
-    for (std::size_t i = 0; i < points.size(); ++i)
-      gaps[k].push_back(obstacles.gap(k, shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i))));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto at = shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i));
+      gaps[k].push_back(reaches.empty() ? obstacles.gap(k, at) : obstacles.gap(k, at, reaches[i]));
+    }
   return gaps;
 }
 
-/// Marks the sides of folds that have the nearest face: 1 at their nodes, 0 at the nodes of other sides. `least`: the gaps
-/// after take_faces_at_folds() (collective).
-algebra::Vector nearest_faces(const fem::Space& space, const std::vector<std::vector<obstacle::Gap>>& own,
-                              const std::vector<std::vector<obstacle::Gap>>& least, double size) {
+/// Returns the gaps of all local nodes in the state, one list for each obstacle.
+std::vector<std::vector<double>> gaps_in_state(const std::vector<std::vector<obstacle::Gap>>& gaps,
+                                               const std::vector<NodalPoint>& points, const State& state) {
+  std::vector<std::vector<double>> values(gaps.size());
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector6 y = state.at(i);
+      values[k].push_back(gaps[k][i](y.head<3>(), geometry::tangential(y.tail<3>(), points[i].a3)));
+    }
+  return values;
+}
+
+/// The nearest face of all sides of a fold to an obstacle.
+struct NearestFace {
+  double gap = std::numeric_limits<double>::infinity();  ///< distance of the face in the state [m]
+  double z = 0;                                          ///< its height above the mid-surface of its side [m]
+};
+
+/// Returns the nearest faces of folds, by obstacle and local node; only those of the nodes that decide the displacement are set
+/// (collective).
+std::vector<std::map<std::size_t, NearestFace>> faces_at_folds(const fem::Space& space,
+                                                               const std::vector<std::vector<obstacle::Gap>>& gaps,
+                                                               const std::vector<std::vector<double>>& values) {
+  constexpr std::size_t size = 4;  // deciding node, obstacle, distance, height
+  std::vector<double> mine;
+  const auto add = [&](algebra::LocalIndex decides, algebra::LocalIndex side) {
+    const auto node = static_cast<std::size_t>(side);
+    for (std::size_t k = 0; k < gaps.size(); ++k)
+      mine.insert(mine.end(), {static_cast<double>(space.layout->global(decides)), static_cast<double>(k),
+                               values[k][node], gaps[k][node].z});
+  };
+  for (const constraints::Row& row : space.kinks.rows()) {
+    if (row.node >= space.layout->owned) continue;
+    add(row.terms.front().node, row.node);
+    add(row.terms.front().node, row.terms.front().node);
+  }
+  const auto all = algebra::gather_over_ranks(mine, space.layout->comm);
+  std::map<algebra::GlobalIndex, std::size_t> local;
+  for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i)
+    local.emplace(space.layout->global(i), static_cast<std::size_t>(i));
+  std::vector<std::map<std::size_t, NearestFace>> faces(gaps.size());
+  for (std::size_t at = 0; at < all.size(); at += size) {
+    const auto node = local.find(static_cast<algebra::GlobalIndex>(all[at]));
+    if (node == local.end()) continue;
+    NearestFace& face = faces[static_cast<std::size_t>(all[at + 1])][node->second];
+    if (all[at + 2] < face.gap) face = {all[at + 2], all[at + 3]};
+  }
+  return faces;
+}
+
+/// Marks the sides of folds that have the nearest face: 1 at their nodes, 0 at the nodes of other sides (collective).
+algebra::Vector nearest_faces(const fem::Space& space, const std::vector<std::vector<double>>& own,
+                              const std::vector<std::map<std::size_t, NearestFace>>& faces, double size) {
   constexpr double equal = 1e-12;
   const std::size_t obstacles = own.size();
   algebra::Vector nearest(space.layout, static_cast<int>(std::max<std::size_t>(obstacles, 1)));
   std::ranges::fill(nearest.local(), 1.0);
   const auto compare = [&](std::size_t node, std::size_t decides) {
     for (std::size_t k = 0; k < obstacles; ++k)
-      nearest.local()[node * obstacles + k] = own[k][node].initial <= least[k][decides].initial + equal * size ? 1 : 0;
+      if (const auto face = faces[k].find(decides); face != faces[k].end())
+        nearest.local()[node * obstacles + k] = own[k][node] <= face->second.gap + equal * size ? 1 : 0;
   };
   for (const constraints::Row& row : space.kinks.rows()) {
     const auto decides = static_cast<std::size_t>(row.terms.front().node);
@@ -50,36 +103,16 @@ algebra::Vector nearest_faces(const fem::Space& space, const std::vector<std::ve
   return nearest;
 }
 
-/// Lets the node that decides the displacement at a fold have the nearest face of all sides of the fold. A face of
-/// another side moves with u alone there: its rotation is normal to the obstacle's normal where that side touches
-/// (collective).
-void take_faces_at_folds(const fem::Space& space, std::vector<std::vector<obstacle::Gap>>& gaps) {
-  constexpr std::size_t size = 10;  // node, obstacle, gap, normal, height, contact point
-  std::vector<double> mine;
-  for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i) {
-    const constraints::Row* row = space.kinks.find(static_cast<std::size_t>(i));
-    if (!row) continue;
-    for (std::size_t k = 0; k < gaps.size(); ++k) {
-      const obstacle::Gap& gap = gaps[k][static_cast<std::size_t>(i)];
-      mine.insert(mine.end(), {static_cast<double>(space.layout->global(row->terms.front().node)),
-                               static_cast<double>(k), gap.initial, gap.normal[0], gap.normal[1], gap.normal[2], gap.z,
-                               gap.contact_point[0], gap.contact_point[1], gap.contact_point[2]});
-    }
-  }
-  const auto all = algebra::gather_over_ranks(mine, space.layout->comm);
-  std::map<algebra::GlobalIndex, algebra::LocalIndex> local;
-  for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i) local.emplace(space.layout->global(i), i);
-  for (std::size_t at = 0; at < all.size(); at += size) {
-    const auto node = local.find(static_cast<algebra::GlobalIndex>(all[at]));
-    if (node == local.end()) continue;
-    obstacle::Gap& gap = gaps[static_cast<std::size_t>(all[at + 1])][static_cast<std::size_t>(node->second)];
-    if (!(all[at + 2] < gap.initial)) continue;
-    gap = {.initial = all[at + 2],
-           .normal = {all[at + 3], all[at + 4], all[at + 5]},
-           .z = all[at + 6],
-           .contact_point = {all[at + 7], all[at + 8], all[at + 9]},
-           .arm = 0};
-  }
+/// The gap of a fold, whose displacement moves the faces of all sides alike. It has the distance of the nearest face. Its normal is
+/// that at the mid-surface: two faces may be equally near, and their normals differ.
+obstacle::Gap gap_of_fold(const obstacle::Obstacle& obstacle, const NearestFace& face, const NodalPoint& point,
+                          const Vector3d& u) {
+  const obstacle::Nearest middle = obstacle.nearest(point.phi + u);
+  return {.initial = face.gap - middle.normal.dot(u),
+          .normal = middle.normal,
+          .z = face.z,
+          .contact_point = point.phi - (middle.distance - face.gap) * middle.normal,
+          .arm = 0};
 }
 
 /// Marks the owned nodes that decide the displacement at a kink (collective).
@@ -144,11 +177,17 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
                           .longest_side();
   algebra::Vector bases(space.layout, 36);
   std::vector<std::vector<obstacle::Gap>> gaps;
-  algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { gaps = all_gaps(points, obstacles, state); });
-  if (!space.coarse->folds.empty()) {
-    const auto own = gaps;
-    take_faces_at_folds(space, gaps);
-    coordinates.nearest_faces = nearest_faces(space, own, gaps, size);
+  const std::vector<obstacle::Reach> reaches = reaches_of(space, points, obstacles.all);
+  algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { gaps = all_gaps(points, reaches, obstacles, state); });
+  if (algebra::sum_over_ranks(static_cast<std::int64_t>(space.kinks.rows().size()), comm) > 0) {
+    const auto own = gaps_in_state(gaps, points, state);
+    const auto faces = faces_at_folds(space, gaps, own);
+    coordinates.nearest_faces = nearest_faces(space, own, faces, size);
+    algebra::in_agreement<obstacle::ObstacleError>(comm, [&] {
+      for (std::size_t k = 0; k < gaps.size(); ++k)
+        for (const auto& [node, face] : faces[k])
+          gaps[k][node] = gap_of_fold(obstacles.all[k], face, points[node], state.at(node).head<3>());
+    });
   }
   coordinates.gaps = std::move(gaps);
   const std::vector<char> decides = deciding_at_kinks(space);

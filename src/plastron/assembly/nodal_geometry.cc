@@ -51,6 +51,13 @@ void set_least_addresses(const fem::Space& space, const fem::Surface& surface, c
   }
 }
 
+/// A direction without a node has the distance of its neighbours: only beyond an edge of the shell several of them have no node.
+void fill_directions(std::span<double> reach) {
+  const std::vector<double> known(reach.begin(), reach.end());
+  for (std::size_t k = 0; k < known.size(); ++k)
+    if (known[k] == 0) reach[k] = std::min(known[(k + 1) % known.size()], known[(k + known.size() - 1) % known.size()]);
+}
+
 }  // namespace
 
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
@@ -99,6 +106,29 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
     PLASTRON_ASSERT(points[i].weight >= 0, i, points[i].weight);
   }
   return points;
+}
+
+std::vector<obstacle::Reach> reaches_of(const fem::Space& space, const std::vector<NodalPoint>& points,
+                                        const std::vector<obstacle::Obstacle>& obstacles) {
+  if (std::ranges::none_of(obstacles, &obstacle::Obstacle::has_edges)) return {};
+  algebra::Vector nearest(space.layout, static_cast<int>(obstacle::Reach{}.size()));
+  for (std::size_t c = 0; c < space.cells.size(); ++c)
+    for (const algebra::LocalIndex i : space.nodes(c)) {
+      if (i >= space.layout->owned) continue;
+      const auto node = static_cast<std::size_t>(i);
+      for (const algebra::LocalIndex other : space.nodes(c)) {
+        if (other == i) continue;
+        const Vector3d way = points[static_cast<std::size_t>(other)].phi - points[node].phi;
+        double& distance = nearest.at(node)[obstacle::reach_direction(points[node].a3, way)];
+        if (distance == 0 || way.norm() < distance) distance = way.norm();
+      }
+    }
+  for (algebra::LocalIndex i = 0; i < space.layout->owned; ++i)
+    fill_directions(nearest.at(static_cast<std::size_t>(i)));
+  nearest.update_ghosts();
+  std::vector<obstacle::Reach> reaches(points.size());
+  for (std::size_t i = 0; i < reaches.size(); ++i) std::ranges::copy(nearest.at(i), reaches[i].begin());
+  return reaches;
 }
 
 }  // namespace plastron::assembly

@@ -5,6 +5,7 @@
 #include <plastron/assembly/cross_sections.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/fem/surface.hpp>
+#include <plastron/obstacle/gap.hpp>
 
 #include <Eigen/Core>
 #include <limits>
@@ -27,6 +28,10 @@ struct NodalPoint {
 /// Returns the data of every local node, equal on all ranks that see the node (collective).
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
                                        const element::ElementTables& tables, const CrossSections& sections);
+
+/// Returns the reaches of all local nodes, from the nodes of the cells around them. Empty if no obstacle has edges (collective).
+std::vector<obstacle::Reach> reaches_of(const fem::Space& space, const std::vector<NodalPoint>& points,
+                                        const std::vector<obstacle::Obstacle>& obstacles);
 
 /// An axis-parallel box.
 struct BoundingBox {

@@ -43,14 +43,17 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const soluti
 }
 
 /// Returns the gap error on this rank's nodes.
-GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                        const std::vector<obstacle::Reach>& reaches) {
   GapError error;
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
     const assembly::NodalPoint& p = discrete.place(row.node);
     const obstacle::ShellPoint moved =
         discrete.shell_point(p.phi, p.a3, p.thickness, discrete.in_coordinates(solution.y, row.node));
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
-    const double distance = obstacle::true_gap(discrete.obstacles.now(k), gap, moved);
+    const obstacle::Obstacle now = discrete.obstacles.now(k);
+    const double distance =
+        reaches.empty() ? obstacle::true_gap(now, gap, moved) : obstacle::true_gap(now, gap, moved, reaches[row.node]);
     if (touches)
       error.at_contact = std::max(error.at_contact, std::abs(distance - discrete.nodal_gap(k, row.node, solution.y)));
     error.depth = std::max(error.depth, -distance);
@@ -69,8 +72,10 @@ bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
 
 GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
+  const auto reaches = assembly::reaches_of(
+      discrete.space(), discrete.has_finite_rotations() ? discrete.moved : discrete.points, discrete.obstacles.all);
   const GapError mine =
-      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return gap_error_here(discrete, solution); });
+      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return gap_error_here(discrete, solution, reaches); });
   return {algebra::max_over_ranks(mine.at_contact, comm), algebra::max_over_ranks(mine.depth, comm)};
 }
 

@@ -1,7 +1,10 @@
 #include <plastron/obstacle/gap.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace plastron::obstacle {
@@ -47,17 +50,8 @@ std::optional<double> crossing(const Obstacle& obstacle, const Vector3d& from, c
   return {};
 }
 
-/// Radius of the larger principal curvature at the nearest point of the surface. d's Hessian also has the eigenvalue
-/// 0, for its normal.
-double roundness_at(const Nearest& nearest) {
-  const double trace = nearest.curvature.trace();
-  const double root = std::sqrt(std::max(2 * nearest.curvature.squaredNorm() - trace * trace, 0.0));
-  const double largest = (trace + root) / 2;
-  return largest > 0 ? 1 / largest - nearest.distance : std::numeric_limits<double>::infinity();
-}
-
 FaceGap met_at(const Nearest& at) {
-  return {.distance = at.distance, .normal = at.normal, .clearance = at.distance, .roundness = roundness_at(at)};
+  return {.distance = at.distance, .normal = at.normal, .clearance = at.distance, .roundness = roundness(at)};
 }
 
 /// The gap to the tangent plane at `foot`, seen from the face; empty if the surface there does not face the
@@ -110,8 +104,52 @@ double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vect
   return above && (!below || *above <= *below) ? -0.5 : 0.5;
 }
 
+// A smooth face on a sharp edge or corner of an obstacle. The distance of a node does not describe this contact: its gradient jumps
+// at the edge, and a node beside the edge may pass it. Instead the tangent plane of the face keeps the edge E on its other side,
+//
+//   g = n . (X - E),
+//
+// X the node's face. n is the normal of the face into the shell, or the nearest direction in the cone of the edge's normals.
+
+/// Returns the nearest point of the obstacle if it lies on a sharp edge or a corner.
+std::optional<Vector3d> foot_on_edge(const Obstacle& obstacle, const Vector3d& from) {
+  constexpr double sharp = 1e-6;
+  const Nearest nearest = obstacle.nearest(from);
+  if (!(nearest.distance > 0) || !(roundness(nearest) <= sharp * nearest.distance)) return {};
+  return from - nearest.distance * nearest.normal;
+}
+
+/// Returns an edge near the face, seen from above it. Seen from there, no side of the body is nearer than its edge.
+std::optional<Vector3d> edge_below(const Obstacle& obstacle, const Vector3d& above, const Vector3d& inward,
+                                   const Vector3d& a3, const Reach& reach) {
+  constexpr double parallel = 1e-12;
+  if (const auto edge = foot_on_edge(obstacle, above)) return edge;
+  // The tangent plane approaches the body most in this direction.
+  const Vector3d normal = obstacle.nearest(above).normal, way = normal.dot(inward) * inward - normal;
+  if (!(way.norm() > parallel)) return {};
+  return foot_on_edge(obstacle, above + reach[reach_direction(a3, way)] * way.normalized());
+}
+
+std::optional<FaceGap> edge_gap(const Obstacle& obstacle, const HalfFibre& fibre, const Vector3d& a3,
+                                const Reach& reach) {
+  // More than one half, so that the nodes leave no edge out. Less than 1: an edge at the next node is left to it.
+  constexpr double part_of_reach = 0.75;
+  constexpr double small = 1e-3, least_cosine = 0.5;
+  const Vector3d inward = -fibre.outward, X = fibre.face();
+  const double widest = *std::ranges::max_element(reach);
+  const auto edge = edge_below(obstacle, X + widest * inward, inward, a3, reach);
+  if (!edge) return {};
+  const Vector3d way = X - *edge, along = way.dot(inward) * inward - way;
+  if (along.norm() > part_of_reach * reach[reach_direction(a3, along)]) return {};
+  // Near the edge the distance has the normal that is the projection of the direction on the cone.
+  const Vector3d n = obstacle.nearest(*edge + small * widest * inward).normal;
+  if (!(n.dot(inward) > least_cosine)) return {};
+  return FaceGap{.distance = n.dot(way), .normal = n, .clearance = n.dot(way), .roundness = 0};
+}
+
 /// The gap of the face at height z. `in_middle` contains the obstacle's nearest values at the mid-surface, if known.
-FaceGap gap_of_face(const Obstacle& obstacle, const ShellPoint& at, double z, std::optional<Nearest> in_middle) {
+FaceGap gap_of_face(const Obstacle& obstacle, const ShellPoint& at, double z, std::optional<Nearest> in_middle,
+                    const Reach* reach) {
   const Vector3d middle = at.phi + at.u, director = at.a3 + at.r;
   const Nearest near = obstacle.nearest(middle + z * director);
   const HalfFibre fibre{middle, (z < 0 ? -1 : 1) * director.normalized(), std::abs(z) * director.norm()};
@@ -127,22 +165,41 @@ FaceGap gap_of_face(const Obstacle& obstacle, const ShellPoint& at, double z, st
       other = behind_face(obstacle, fibre, *in_middle);
     gap = other.value_or(gap);
   }
+  if (reach && obstacle.has_edges() && std::abs(gap.distance) < *std::ranges::max_element(*reach)) {
+    const auto edge = edge_gap(obstacle, fibre, at.a3, *reach);
+    if (edge && edge->distance < gap.distance) gap = *edge;
+  }
   gap.z = z;
   return gap;
 }
 
-}  // namespace
-
-FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at) {
+FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at, const Reach* reach) {
   if (obstacle.face != Face::nearer)
-    return gap_of_face(obstacle, at, (obstacle.face == Face::lower ? -0.5 : 0.5) * at.thickness, {});
+    return gap_of_face(obstacle, at, (obstacle.face == Face::lower ? -0.5 : 0.5) * at.thickness, {}, reach);
   const Vector3d middle = at.phi + at.u, director = at.a3 + at.r;
   const Nearest in_middle = obstacle.nearest(middle);
   const Vector3d& facing = at.is_turned ? director : at.a3;
   double position = face_position(obstacle.face, in_middle.normal, facing);
   if (in_middle.distance < 0 && std::abs(in_middle.normal.dot(facing)) < -sideways)
     position = entered_face(obstacle, middle, director.normalized(), director.norm() * at.thickness / 2, position);
-  return gap_of_face(obstacle, at, position * at.thickness, in_middle);
+  return gap_of_face(obstacle, at, position * at.thickness, in_middle, reach);
+}
+
+Gap linearised(const FaceGap& gap, const ShellPoint& at) {
+  return {gap.distance - gap.normal.dot(at.u + gap.z * at.r), gap.normal, gap.z, at.phi + gap.z * at.a3};
+}
+
+double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, const Reach* reach) {
+  if (gap.arm == 0) return obstacle.nearest(gap.contact_point + at.u).distance;
+  return gap_of_face(obstacle, at, gap.z, {}, reach).distance;
+}
+
+}  // namespace
+
+std::size_t reach_direction(const Vector3d& a3, const Vector3d& way) {
+  const Vector3d first = a3.unitOrthogonal();
+  const double turns = std::atan2(way.dot(a3.cross(first)), way.dot(first)) / (2 * std::numbers::pi);
+  return static_cast<std::size_t>(std::lround((turns + 1) * 8)) % 8;
 }
 
 Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
@@ -155,14 +212,20 @@ Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& 
                         crossing(obstacle, from, way.outward, way.length)};
 }
 
-Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) {
-  const FaceGap gap = face_gap(obstacle, at);
-  return {gap.distance - gap.normal.dot(at.u + gap.z * at.r), gap.normal, gap.z, at.phi + gap.z * at.a3};
+FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at) { return face_gap(obstacle, at, nullptr); }
+
+Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) { return linearised(face_gap(obstacle, at), at); }
+
+Gap gap_at(const Obstacle& obstacle, const ShellPoint& at, const Reach& reach) {
+  return linearised(face_gap(obstacle, at, &reach), at);
 }
 
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at) {
-  if (gap.arm == 0) return obstacle.nearest(gap.contact_point + at.u).distance;
-  return gap_of_face(obstacle, at, gap.z, {}).distance;
+  return true_gap(obstacle, gap, at, nullptr);
+}
+
+double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, const Reach& reach) {
+  return true_gap(obstacle, gap, at, &reach);
 }
 
 }  // namespace plastron::obstacle

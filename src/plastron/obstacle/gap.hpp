@@ -2,6 +2,8 @@
 #pragma once
 #include <plastron/obstacle/obstacle.hpp>
 
+#include <array>
+#include <cstddef>
 #include <limits>
 
 namespace plastron::obstacle {
@@ -12,17 +14,23 @@ inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
   return face == Face::lower ? -0.5 : 0.5;
 }
 
-/// g(u, r) = initial + n . (u + arm r). The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold a face of
-/// another side has the arm 0: it moves with u alone.
+/// g(u, r) = initial + n . (u + arm r). The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold it
+/// is 0: all faces move with u alone.
 struct Gap {
   double initial;          ///< gap of the undeformed shell [m]
   Vector3d normal;         ///< n = grad d at the touching face
   double z;                ///< height of the touching face above the mid-surface [m]
   Vector3d contact_point;  ///< phi + z a_3
-  double arm = z;          ///< z, or 0 for a face of another side [m]
+  double arm = z;          ///< z, or 0 at a fold [m]
 
   double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + arm * r); }
 };
+
+/// The part of the shell that a node represents: the distance of the nearest node in each direction of the plane across a_3, in
+/// parts of 45 degrees from a_3.unitOrthogonal(). 0 beyond an edge of the shell [m].
+using Reach = std::array<double, 8>;
+/// Returns the index of a direction in a reach.
+std::size_t reach_direction(const Vector3d& a3, const Vector3d& way);
 
 /// A point of the mid-surface with its displacement and rotation in the state of the linearisation.
 struct ShellPoint {
@@ -60,8 +68,11 @@ Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& 
 /// The gap (M16), linearised at the face in its present state, where it equals face_gap(). At the undeformed shell it
 /// is the linearisation of the model; for planes it is exact at every state.
 Gap gap_at(const Obstacle& obstacle, const ShellPoint& at);
+/// The same for a node. Its face may lie on sharp edges and corners of the obstacle, and is pushed there along its own normal.
+Gap gap_at(const Obstacle& obstacle, const ShellPoint& at, const Reach& reach);
 
 /// The distance of the touching face of the deformed shell without linearisation [m]; `at` contains the displacement.
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at);
+double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, const Reach& reach);
 
 }  // namespace plastron::obstacle

@@ -2,7 +2,19 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace plastron::obstacle {
+
+// The radius of the larger principal curvature. d's Hessian also has the eigenvalue 0, for its normal.
+double roundness(const Nearest& nearest) {
+  const double trace = nearest.curvature.trace();
+  const double root = std::sqrt(std::max(2 * nearest.curvature.squaredNorm() - trace * trace, 0.0));
+  const double largest = (trace + root) / 2;
+  return largest > 0 ? 1 / largest - nearest.distance : std::numeric_limits<double>::infinity();
+}
 
 Nearest reversed(const Nearest& other) { return {-other.distance, -other.normal, -other.curvature}; }
 

@@ -17,6 +17,9 @@ struct Nearest {
   Matrix3d curvature;  ///< Hessian of d: the curvature of the surface of equal distance through X [1/m]
 };
 
+/// Radius of the sharpest rounding at the surface's nearest point, at most 0 at an edge or a corner up to rounding [m].
+double roundness(const Nearest& nearest);
+
 /// The values of the same surface with the other side free.
 Nearest reversed(const Nearest& other);
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace plastron::obstacle {
 
 namespace {
@@ -12,6 +14,14 @@ std::string point_text(const Vector3d& X) { return fmt::format("({:.6g}, {:.6g},
 }  // namespace
 
 std::string Obstacle::text() const { return name.empty() ? "the obstacle" : fmt::format("the obstacle \"{}\"", name); }
+
+bool Obstacle::has_edges() const {
+  if (const auto* box = std::get_if<Box>(&shape)) return box->fillet == 0;
+  if (const auto* cone = std::get_if<Cone>(&shape)) return cone->fillet == 0;
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
+    return cylinder->fillet == 0 && !cylinder->inside && std::isfinite(cylinder->length);
+  return std::holds_alternative<TriangleSurface>(shape);
+}
 
 Obstacle Obstacle::standing(double time, double position) const {
   Obstacle result = *this;

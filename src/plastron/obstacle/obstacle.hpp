@@ -37,6 +37,8 @@ struct Obstacle {
 
   /// Whether its gap is linear in the displacements; then no further linearisation is necessary.
   bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
+  /// Whether smooth faces of the shell can lie on sharp edges or corners of its surface.
+  bool has_edges() const;
   /// Whether a force presses it; then its displacement along the force is an unknown.
   bool is_pressed() const { return !force.isZero(0); }
   /// Returns the same body at rest in its placement at `time`, displaced by `position` [m] along its force.
