@@ -272,5 +272,34 @@ TEST(Fold, MayEndOnABorderFixedInUBesideAnObstacle) {
     EXPECT_NEAR(energy_on_ball(centre, {Face::lower, Face::upper}), energy, 1e-9 * energy);
 }
 
+/// The forces of a ball pressed into the ridge of two plates that fall by `fall` on both sides, or of a T with these flanges.
+Vector3d force_of_ball_on_ridge(double fall, bool has_web, double ball, int degree, double turn) {
+  std::vector<double> angles{-fall, pi + fall};
+  if (has_web) angles.push_back(-pi / 2);
+  topology::SpaceMesh mesh = star(Shape::quadrilateral, 1, 1, angles);
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn, Vector3d(0, 1, 0)).toRotationMatrix();
+  for (Vector3d& node : mesh.nodes) node = turned * node;
+  const auto is_end = [&](const Vector3d& p) { return std::hypot(p[0], p[2]) > 1 - 1e-9; };
+  problem::Problem problem = problem_on(surface_of(mesh, {{"ends", is_end}}), degree, 2);
+  problem.shell.supports = {
+      edge_support("ends", {Direction::x, Direction::y, Direction::z}, {Direction::x, Direction::y, Direction::z})};
+  const double height = ball + 0.025 * std::cos(fall) - 0.005;
+  problem.shell.obstacles.all = {
+      {.shape = obstacle::Ball{.centre = turned * Vector3d(0, 0.5, height), .radius = ball}}};
+  return turned.transpose() * solved(problem).summary.reaction.force;
+}
+
+// The faces of both sides are equally near, with normals that differ.
+TEST(Fold, IsPushedWithoutSideForceByABallOnItsRidge) {
+  for (const double fall : {0.3, pi / 4, 1.2})
+    for (const bool has_web : {false, true})
+      for (const auto& [ball, degree] : {std::pair{0.2, 2}, {1.0, 3}})
+        for (const double turn : {0.0, pi / 2, 2.0}) {
+          const Vector3d force = force_of_ball_on_ridge(fall, has_web, ball, degree, turn);
+          EXPECT_LT(force[2], 0) << fall;
+          EXPECT_LT(std::abs(force[0]), 1e-6 * force.norm()) << fall << " " << has_web << " " << turn;
+        }
+}
+
 }  // namespace
 }  // namespace plastron::verification::surface_meshes_test
