@@ -142,6 +142,19 @@ class TestDerivatives:
         assert energy(case.with_settings({f"obstacle[0].{key}": function})) == pytest.approx(energy(case), rel=1e-7, abs=0)
 
 
+    def test_a_distance_is_called_for_many_points_together(self):
+        sizes = []
+
+        def distance(X, Z):
+            sizes.append(len(X))
+            return Z - 0.01 * np.sin(3 * X)
+
+        text = STRIP.replace("half_space = { point = [0, 0, 0], normal = [0, 0, 1] }", 'distance = "Z - 0.01*sin(3*X)"')
+        case = plastron.Case.from_text(text)
+        assert energy(case.with_settings({"obstacle[0].distance": distance})) == pytest.approx(energy(case), rel=1e-7, abs=0)
+        assert np.mean(sizes) > 300 and len(sizes) < 3000
+
+
 class TestMistakes:
     def test_other_arguments_are_refused(self, case):
         for wrong, words in ((lambda u, v: u, "not u, v"), (lambda: 1, "not nothing")):

@@ -1,5 +1,6 @@
 #include "obstacle/probing.hpp"
 
+#include <plastron/geometry/given_function.hpp>
 #include <plastron/obstacle/error.hpp>
 #include <plastron/obstacle/obstacle.hpp>
 
@@ -163,6 +164,65 @@ TEST(ARefusedDistance, NamesTheObstacleThePointAndTheReason) {
   const Obstacle shifted{.shape = field("Z^2 + 1"), .placement = {.translation = {0, 0, 3}}};
   EXPECT_THAT(refusal(shifted, {0, 0, 4}),
               testing::StartsWith("the obstacle at the point (0, 0, 4) of space, (0, 0, 1) in its own coordinates: "));
+}
+
+/// A wavy die, as text and as a given function that counts its calls.
+struct CountedDie {
+  static constexpr const char* text = "Z + 0.03 - 0.008*cos(6*X)*cos(6*Y)";
+  const std::string name = "counted_die";
+  std::shared_ptr<const geometry::SpaceFunction> formula =
+      std::make_shared<const geometry::SpaceFunction>(text, geometry::Constants{});
+  std::size_t calls = 0, places = 0;
+
+  CountedDie() {
+    geometry::give_function(
+        name, {.uses_space = true,
+               .depends_on = {true, true, true},
+               .evaluate = [this](std::span<const geometry::Place> at, int first, int count, std::span<double> values) {
+                 ++calls, places += at.size();
+                 for (std::size_t i = 0; i < at.size(); ++i) {
+                   const geometry::SpaceJet f = (*formula)({at[i].X, at[i].Y, at[i].Z});
+                   const std::array<double, 10> all{f.value,         f.gradient[0],   f.gradient[1],   f.gradient[2],
+                                                    f.hessian(0, 0), f.hessian(0, 1), f.hessian(0, 2), f.hessian(1, 1),
+                                                    f.hessian(1, 2), f.hessian(2, 2)};
+                   for (int k = 0; k < count; ++k)
+                     values[static_cast<std::size_t>(k) * at.size() + i] = all[static_cast<std::size_t>(first + k)];
+                 }
+               }});
+  }
+  CountedDie(const CountedDie&) = delete;
+  CountedDie& operator=(const CountedDie&) = delete;
+  ~CountedDie() { geometry::forget_function(name); }
+};
+
+/// A function of a program in Python takes as long for a point as for a thousand.
+TEST(AGivenDistance, IsCalledForManyPointsTogether) {
+  CountedDie die;
+  const DistanceField given = field(die.name), formula = field(CountedDie::text);
+  std::vector<Vector3d> points = test::random_points(1000, 1);
+  for (Vector3d& X : points) X[2] *= 0.1;
+  Obstacle body{.shape = given};
+  body.placement = placed({0, 0, 1}, 0.3, {0, 0, 0}, {0.1, 0.2, 0.3});
+  std::vector<Vector3d> moved;
+  for (const Vector3d& X : points) moved.push_back(body.placement.to_space(X));
+  body.prepare(moved);
+  EXPECT_LT(die.calls, 60u);
+  EXPECT_GT(die.places / die.calls, 1000u);
+  const std::size_t calls = die.calls;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_NEAR(body.nearest(moved[i]).distance, formula.nearest(points[i]).distance, 1e-14);
+  EXPECT_EQ(die.calls, calls) << "prepared distances are known";
+}
+
+TEST(ADistanceExpression, TakesFewEvaluationsNearItsSurface) {
+  CountedDie die;
+  const DistanceField given = field(die.name);
+  const std::vector<Vector3d> points = test::random_points(200, 0.02);
+  for (const Vector3d& X : points) given.nearest(X);
+  EXPECT_LT(static_cast<double>(die.places) / static_cast<double>(points.size()), 100);
+  const std::size_t places = die.places;
+  for (const Vector3d& X : points) given.nearest(X);
+  EXPECT_EQ(die.places, places) << "distances are kept";
 }
 
 TEST(ADistanceExpression, WithoutGradientIsRefused) {

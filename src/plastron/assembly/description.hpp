@@ -51,6 +51,17 @@ struct RigidObstacles {
     at.thickness *= face_scale;
     return obstacle::face_gap(now, at);
   }
+  /// Prepares `body`, one of the obstacles at some position, for the gaps at the points point(0), ..., point(count - 1).
+  template <class Point>
+  void prepare_gaps(const obstacle::Obstacle& body, std::size_t count, const Point& point) const {
+    if (!body.is_searched()) return;
+    std::vector<obstacle::ShellPoint> points;
+    for (std::size_t i = 0; i < count; ++i) {
+      points.push_back(point(i));
+      points.back().thickness *= face_scale;
+    }
+    obstacle::prepare_gaps(body, points);
+  }
   /// Returns obstacle k at its present position.
   obstacle::Obstacle now(std::size_t k) const {
     obstacle::Obstacle result = all[k];

@@ -24,11 +24,14 @@ std::vector<std::vector<obstacle::Gap>> all_gaps(const std::vector<NodalPoint>& 
                                                  const std::vector<obstacle::Reach>& reaches,
                                                  const RigidObstacles& obstacles, const State& state) {
   std::vector<std::vector<obstacle::Gap>> gaps(obstacles.all.size());
-  for (std::size_t k = 0; k < gaps.size(); ++k)
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto at = shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i));
-      gaps[k].push_back(reaches.empty() ? obstacles.gap(k, at) : obstacles.gap(k, at, reaches[i]));
-    }
+  const auto point = [&](std::size_t i) {
+    return shell_point(points[i].phi, points[i].a3, points[i].thickness, state.at(i));
+  };
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    obstacles.prepare_gaps(obstacles.all[k], points.size(), point);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      gaps[k].push_back(reaches.empty() ? obstacles.gap(k, point(i)) : obstacles.gap(k, point(i), reaches[i]));
+  }
   return gaps;
 }
 

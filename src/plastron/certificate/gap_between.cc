@@ -29,6 +29,11 @@ class CellPoints {
     }
   }
 
+  /// Looks at points of a cell, whose gaps to an obstacle are asked next.
+  void look_at(std::size_t cell, std::size_t obstacle, const element::BasisAt& basis) {
+    look_at(cell, basis);
+    prepare(obstacle);
+  }
   void look_at(std::size_t cell, const element::BasisAt& basis) {
     const std::size_t count = basis.xi.size();
     frames_.resize(count);
@@ -46,8 +51,7 @@ class CellPoints {
   /// The gap at a point. If the shell has passed through the obstacle, the gap is at most minus the thickness.
   obstacle::FaceGap gap(std::size_t obstacle, std::size_t p) const {
     const Vector3d& a3 = frames_[p].a3;
-    const obstacle::ShellPoint at =
-        discrete_.shell_point(frames_[p].phi, a3, thickness_[p], values_.row(static_cast<Eigen::Index>(p)).transpose());
+    const obstacle::ShellPoint at = point(p);
     obstacle::FaceGap gap = discrete_.obstacles.true_gap(obstacle, now_[obstacle], at);
     if (!may_pass(obstacle, at)) return gap;
     const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u,
@@ -63,6 +67,29 @@ class CellPoints {
     return reserve * half * (frames_[p].a_cov[0].norm() + frames_[p].a_cov[1].norm());
   }
 
+  /// Returns the obstacles near each owned cell.
+  std::vector<std::vector<std::size_t>> near_obstacles() const {
+    std::vector<std::vector<std::size_t>> near(discrete_.space().owned_cells);
+    for (std::size_t k = 0; k < now_.size(); ++k) {
+      discrete_.obstacles.prepare_gaps(body(k), near.size(),
+                                       [&](std::size_t c) { return undeformed_if_linear(first_node(c)); });
+      for (std::size_t c = 0; c < near.size(); ++c)
+        if (is_near(c, k)) near[c].push_back(k);
+    }
+    return near;
+  }
+
+ private:
+  obstacle::ShellPoint point(std::size_t p) const {
+    return discrete_.shell_point(frames_[p].phi, frames_[p].a3, thickness_[p],
+                                 values_.row(static_cast<Eigen::Index>(p)).transpose());
+  }
+  obstacle::ShellPoint first_node(std::size_t cell) const {
+    const auto first = static_cast<std::size_t>(discrete_.space().nodes(cell)[0]);
+    const assembly::NodalPoint& at = discrete_.points[first];
+    return discrete_.shell_point(at.phi, at.a3, at.thickness, assembly::node_values(y_, first));
+  }
+
   /// Whether a cell may be near an obstacle, judged at its first node: the distance changes by at most the way
   /// travelled.
   bool is_near(std::size_t cell, std::size_t obstacle) const {
@@ -75,20 +102,27 @@ class CellPoints {
     double radius = 0;
     for (const algebra::LocalIndex i : nodes)
       radius = std::max(radius, (displaced(static_cast<std::size_t>(i)) - displaced(first)).norm());
-    const assembly::NodalPoint& at = discrete_.points[first];
-    const assembly::Vector6 moved = assembly::node_values(y_, first);
-    return discrete_.obstacles
-               .true_gap(obstacle, now_[obstacle], discrete_.shell_point(at.phi, at.a3, at.thickness, moved))
-               .clearance <= reserve * radius;
-  }
-  std::vector<std::size_t> near_obstacles(std::size_t cell) const {
-    std::vector<std::size_t> near;
-    for (std::size_t k = 0; k < now_.size(); ++k)
-      if (is_near(cell, k)) near.push_back(k);
-    return near;
+    return discrete_.obstacles.true_gap(obstacle, now_[obstacle], first_node(cell)).clearance <= reserve * radius;
   }
 
- private:
+  /// The obstacle and the point for which true_gap() computes distances.
+  const obstacle::Obstacle& body(std::size_t obstacle) const {
+    return discrete_.obstacles.are_linear ? discrete_.obstacles.all[obstacle] : now_[obstacle];
+  }
+  obstacle::ShellPoint undeformed_if_linear(obstacle::ShellPoint at) const {
+    if (discrete_.obstacles.are_linear) at.u = at.r = Vector3d::Zero();
+    return at;
+  }
+  void prepare(std::size_t obstacle) const {
+    if (!now_[obstacle].is_searched()) return;
+    discrete_.obstacles.prepare_gaps(body(obstacle), size(),
+                                     [&](std::size_t p) { return undeformed_if_linear(point(p)); });
+    std::vector<Vector3d> starts;
+    for (std::size_t p = 0; p < size(); ++p)
+      if (may_pass(obstacle, point(p))) starts.push_back(frames_[p].phi + ways_[obstacle]);
+    now_[obstacle].prepare(starts);
+  }
+
   /// Whether the mid-surface moved by more than half of the thickness relative to the obstacle. The path counts as
   /// straight; moving obstacles advance in steps.
   bool may_pass(std::size_t obstacle, const obstacle::ShellPoint& at) const {
@@ -147,7 +181,7 @@ class GapSearch {
       std::vector<Vector2d> xi;
       xi.reserve(pieces.size());
       for (const Piece& piece : pieces) xi.push_back(piece.centre);
-      points.look_at(best_.cell, element::basis_at(space_.shape(), space_.degree, xi));
+      points.look_at(best_.cell, best_.obstacle, element::basis_at(space_.shape(), space_.degree, xi));
       note(points, pieces);
     }
     return best_;
@@ -185,15 +219,13 @@ void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector&
       element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals));
   std::vector<double> gaps(basis.xi.size());
   CellPoints points(discrete, y);
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const std::vector<std::size_t> near = points.near_obstacles(c);
-    if (near.empty()) continue;
-    points.look_at(c, basis);
-    for (const std::size_t k : near) {
+  const auto near = points.near_obstacles();
+  for (std::size_t c = 0; c < space.owned_cells; ++c)
+    for (const std::size_t k : near[c]) {
+      points.look_at(c, k, basis);
       for (std::size_t p = 0; p < gaps.size(); ++p) gaps[p] = points.gap(k, p).distance;
       visit(c, k, gaps);
     }
-  }
 }
 
 std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
@@ -205,9 +237,10 @@ std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, cons
   for (const Vector2d& xi : basis.xi) lattice.push_back({xi, 0.5 / intervals});
   std::vector<CellGap> all;
   CellPoints points(discrete, y);
+  const auto near = points.near_obstacles();
   for (std::size_t c = 0; c < space.owned_cells; ++c)
-    for (const std::size_t k : points.near_obstacles(c)) {
-      points.look_at(c, basis);
+    for (const std::size_t k : near[c]) {
+      points.look_at(c, k, basis);
       GapSearch search(space, c, k);
       search.note(points, lattice);
       all.push_back(search.finish(points));

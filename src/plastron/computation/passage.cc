@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace plastron::computation {
 
@@ -33,6 +34,16 @@ bool may_pass_at(const Moving& moving, const assembly::NodalPoint& point, const 
   return (first.distance + last.distance - way) / 2 <= around && first.normal.dot(a3) * last.normal.dot(a3) <= 0;
 }
 
+/// Prepares the obstacle for the distances of all owned nodes.
+void prepare(const Moving& moving, const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
+  if (!moving.before.is_searched()) return;
+  std::vector<Vector3d> places;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
+    places.push_back(discrete.points[i].phi + assembly::node_values(y, i).head<3>());
+  moving.before.prepare(places);
+  moving.after.prepare(places);
+}
+
 }  // namespace
 
 bool may_pass(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double from, double to) {
@@ -44,6 +55,7 @@ bool may_pass(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
       if (obstacle.motions.empty() || obstacle.is_plane()) continue;
       const double position = discrete.state.position(k) + discrete.way_pressed(k);
       const Moving moving{obstacle.standing(from, position), obstacle.standing(to, position)};
+      prepare(moving, discrete, y);
       for (std::size_t i = 0; !may && i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
         const assembly::Vector6 now = assembly::node_values(y, i);
         Vector3d a3 = discrete.points[i].a3;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace plastron::computation {
 
@@ -42,16 +43,34 @@ double distance_from_state(const assembly::DiscreteShell& discrete, const soluti
   return algebra::max_over_ranks(farthest, discrete.space().layout->comm);
 }
 
+obstacle::ShellPoint moved_node(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
+                                const assembly::ContactRow& row) {
+  const assembly::NodalPoint& p = discrete.place(row.node);
+  return discrete.shell_point(p.phi, p.a3, p.thickness, discrete.in_coordinates(solution.y, row.node));
+}
+
+/// Prepares the obstacles for the true gaps of all rows.
+void prepare_gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  std::vector<std::vector<Vector3d>> places(discrete.obstacles.all.size());
+  for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool /*touches*/) {
+    if (!discrete.obstacles.all[k].is_searched()) return;
+    const obstacle::ShellPoint at = moved_node(discrete, solution, row);
+    const Vector3d middle = at.phi + at.u;
+    places[k].push_back(middle);
+    places[k].push_back(middle + discrete.coordinates.gaps[k][row.node].z * (at.a3 + at.r));
+  });
+  for (std::size_t k = 0; k < places.size(); ++k) discrete.obstacles.now(k).prepare(places[k]);
+}
+
 /// Returns the gap error on this rank's nodes.
 GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                         const std::vector<obstacle::Reach>& reaches) {
   GapError error;
+  prepare_gap_error(discrete, solution);
   for_rows(discrete, solution, [&](const assembly::ContactRow& row, std::size_t k, bool touches) {
-    const assembly::NodalPoint& p = discrete.place(row.node);
-    const obstacle::ShellPoint moved =
-        discrete.shell_point(p.phi, p.a3, p.thickness, discrete.in_coordinates(solution.y, row.node));
     const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
     const obstacle::Obstacle now = discrete.obstacles.now(k);
+    const obstacle::ShellPoint moved = moved_node(discrete, solution, row);
     const double distance =
         reaches.empty() ? obstacle::true_gap(now, gap, moved) : obstacle::true_gap(now, gap, moved, reaches[row.node]);
     if (touches)

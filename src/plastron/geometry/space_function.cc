@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "formula.hpp"
@@ -47,12 +48,23 @@ SpaceJet jet_of(const double* f) {
   return jet;
 }
 
-template <std::size_t count>
-std::array<double, count> given_values(const GivenFunction& function, const Vector3d& X) {
-  const Place place{.X = X[0], .Y = X[1], .Z = X[2]};
-  std::array<double, count> values{};
-  function.evaluate({&place, 1}, 0, static_cast<int>(count), values);
-  return values;
+constexpr std::size_t jet_size = 10;
+
+/// Returns the derivatives 0, ..., count - 1 of a given function, those of a point together.
+std::vector<double> given_values(const GivenFunction& function, std::span<const Vector3d> X, std::size_t count) {
+  constexpr std::size_t most_points = 4096;  // bounds the memory of a call
+  std::vector<double> all, values;
+  all.reserve(count * X.size());
+  for (std::size_t first = 0; first < X.size(); first += most_points) {
+    std::vector<Place> places;
+    for (const Vector3d& x : X.subspan(first, std::min(most_points, X.size() - first)))
+      places.push_back({.X = x[0], .Y = x[1], .Z = x[2]});
+    values.resize(count * places.size());
+    function.evaluate(places, 0, static_cast<int>(count), values);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t k = 0; k < count; ++k) all.push_back(values[k * places.size() + i]);
+  }
+  return all;
 }
 
 }  // namespace
@@ -107,16 +119,36 @@ SpaceFunction::SpaceFunction(std::string text, const Constants& constants) : tex
 }
 
 double SpaceFunction::value(const Vector3d& X) const {
-  if (program_->given) return given_values<1>(*program_->given, X)[0];
+  if (program_->given) return values({&X, 1})[0];
   program_->at = X;
   return program_->value.Eval();
 }
 
 SpaceJet SpaceFunction::operator()(const Vector3d& X) const {
-  if (program_->given) return jet_of(given_values<10>(*program_->given, X).data());
+  if (program_->given) return jets({&X, 1})[0];
   program_->at = X;
   int count = 0;
   return jet_of(program_->derivatives.Eval(count));
+}
+
+std::vector<double> SpaceFunction::values(std::span<const Vector3d> X) const {
+  if (program_->given) return given_values(*program_->given, X, 1);
+  std::vector<double> all;
+  all.reserve(X.size());
+  for (const Vector3d& x : X) all.push_back(value(x));
+  return all;
+}
+
+std::vector<SpaceJet> SpaceFunction::jets(std::span<const Vector3d> X) const {
+  std::vector<SpaceJet> all;
+  all.reserve(X.size());
+  if (program_->given) {
+    const std::vector<double> numbers = given_values(*program_->given, X, jet_size);
+    for (std::size_t i = 0; i < X.size(); ++i) all.push_back(jet_of(numbers.data() + jet_size * i));
+  } else {
+    for (const Vector3d& x : X) all.push_back((*this)(x));
+  }
+  return all;
 }
 
 }  // namespace plastron::geometry

@@ -6,7 +6,9 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace plastron::geometry {
 
@@ -26,6 +28,9 @@ class SpaceFunction {
   double value(const Vector3d& X) const;
   /// Returns the value with first and second derivatives.
   SpaceJet operator()(const Vector3d& X) const;
+  /// The same at many points. A given function is called for thousands of points at once.
+  std::vector<double> values(std::span<const Vector3d> X) const;
+  std::vector<SpaceJet> jets(std::span<const Vector3d> X) const;
 
   /// Whether the derivative along axis 0, 1 or 2 is not identically zero.
   bool depends_on(int axis) const { return depends_on_[static_cast<std::size_t>(axis)]; }

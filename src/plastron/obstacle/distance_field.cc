@@ -2,13 +2,14 @@
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/distance_field.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/obstacle/known_distances.hpp>
 #include <plastron/obstacle/zero_set.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -19,20 +20,6 @@ namespace {
 using geometry::SpaceFunction;
 using geometry::SpaceJet;
 using Foot = ZeroSet::Foot;
-
-/// Directions to the faces, edges and corners of a cube.
-const std::array<Vector3d, 26>& directions_around() {
-  static const auto all = [] {
-    std::array<Vector3d, 26> made;
-    std::size_t count = 0;
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k)
-          if (i != 0 || j != 0 || k != 0) made[count++] = Vector3d(i, j, k).normalized();
-    return made;
-  }();
-  return all;
-}
 
 [[noreturn]] void refuse(const SpaceFunction& F, const std::string& what) {
   throw ObstacleError(fmt::format("the distance expression \"{}\" {}", geometry::shortened(F.text()), what));
@@ -63,9 +50,12 @@ SpaceJet usable_jet(const SpaceFunction& F, const Vector3d& X) {
 /// A point at the distance `radius` from X where F has the opposite sign; empty if none is found.
 std::optional<Vector3d> other_side(const SpaceFunction& F, const Vector3d& X, double radius) {
   const double at_X = F.value(X);
-  for (const Vector3d& direction : directions_around())
-    if (F.value(X + radius * direction) * at_X < 0) return X + radius * direction;
-  return {};
+  std::vector<Vector3d> places;
+  for (const Vector3d& direction : directions_around()) places.push_back(X + radius * direction);
+  const std::vector<double> values = F.values(places);
+  const auto other = std::ranges::find_if(values, [&](double value) { return value * at_X < 0; });
+  if (other == values.end()) return {};
+  return places[static_cast<std::size_t>(other - values.begin())];
 }
 
 /// A point of the surface on the smallest sphere with both signs of F. The radii are |F| / |F'| times 2^-4 to 2^10.
@@ -118,11 +108,16 @@ Foot nearer_elsewhere(const SpaceFunction& F, const Vector3d& X, Foot foot) {
   if (!(radius > 0)) return foot;
   std::vector<Vector3d> known{(foot.Y - X) / radius};
   std::vector<Start> starts;
+  std::vector<Vector3d> directions, places;
   for (const Vector3d& direction : directions_around()) {
     if (direction.dot(known[0]) > same_direction) continue;
-    const SpaceJet f = F(X + radius * direction);
-    const double off = std::abs(f.value) / f.gradient.norm();
-    if (off < close * radius) starts.push_back({off, direction});
+    directions.push_back(direction);
+    places.push_back(X + radius * direction);
+  }
+  const std::vector<SpaceJet> jets = F.jets(places);
+  for (std::size_t k = 0; k < jets.size(); ++k) {
+    const double off = std::abs(jets[k].value) / jets[k].gradient.norm();
+    if (off < close * radius) starts.push_back({off, directions[k]});
   }
   std::ranges::stable_sort(starts, {}, &Start::off);
   for (const Start& start : starts) {
@@ -153,28 +148,49 @@ Foot nearer_side(const SpaceFunction& F, const Vector3d& X, Foot foot) {
   return foot;
 }
 
+/// The foot of a point whose nearest one is not sure without a search.
+Foot searched_foot(const SpaceFunction& F, const Vector3d& X) {
+  Foot foot = nearer_side(F, X, any_foot(F, X));
+  if (foot.has_no_side(X))
+    refuse(F, "has a zero gradient where it is zero itself, as squares have; write one that changes its sign there");
+  if (foot.is_found(X) && is_no_minimum(X, foot)) foot = ZeroSet(F).descend(X, foot.Y);
+  foot = nearer_elsewhere(F, X, foot);
+  if (!foot.is_found(X)) refuse_for_kinks(F);
+  return foot;
+}
+
+Nearest nearest_of(const Vector3d& X, const Foot& foot) {
+  const double size = foot.f.gradient.norm();
+  const Vector3d n = foot.f.gradient / size;
+  const double distance = (X - foot.Y).dot(n);
+  return {distance, n, offset_curvature(surface_curvature(n, size, foot.f.hessian), distance)};
+}
+
 }  // namespace
 
 DistanceField::DistanceField(std::shared_ptr<const geometry::SpaceFunction> expression)
-    : function_(std::move(expression)) {
+    : function_(std::move(expression)), known_(std::make_shared<KnownDistances>()) {
   if (!function_->depends_on(0) && !function_->depends_on(1) && !function_->depends_on(2))
     throw ObstacleError("the expression is the same everywhere: its gradient is zero");
 }
 
 Nearest DistanceField::nearest(const Vector3d& X) const {
-  const SpaceFunction& F = *function_;
-  Foot foot = nearer_side(F, X, any_foot(F, X));
-  // On a surface, the radius of curvature is never so small a part of the distance.
-  constexpr double vanishing = 1e-8;
-  if (foot.f.gradient.norm() < vanishing * foot.f.hessian.norm() * (X - foot.Y).norm())
-    refuse(F, "has a zero gradient where it is zero itself, as squares have; write one that changes its sign there");
-  if (foot.is_found(X) && is_no_minimum(X, foot)) foot = ZeroSet(F).descend(X, foot.Y);
-  foot = nearer_elsewhere(F, X, foot);
-  if (!foot.is_found(X)) refuse_for_kinks(F);
-  const double size = foot.f.gradient.norm();
-  const Vector3d n = foot.f.gradient / size;
-  const double distance = (X - foot.Y).dot(n);
-  return {distance, n, offset_curvature(surface_curvature(n, size, foot.f.hessian), distance)};
+  if (const Nearest* known = known_->find(X)) return *known;
+  prepare({&X, 1});
+  if (const Nearest* known = known_->find(X)) return *known;
+  const Nearest found = nearest_of(X, searched_foot(*function_, X));
+  known_->add(X, found);
+  return found;
+}
+
+void DistanceField::prepare(std::span<const Vector3d> X) const {
+  std::vector<Vector3d> unknown;
+  std::ranges::copy_if(X, std::back_inserter(unknown), [&](const Vector3d& x) { return !known_->find(x); });
+  if (unknown.empty()) return;
+  known_->forget_if_many();
+  const auto feet = ZeroSet(*function_).sure_feet(unknown);
+  for (std::size_t i = 0; i < feet.size(); ++i)
+    if (feet[i]) known_->add(unknown[i], nearest_of(unknown[i], *feet[i]));
 }
 
 }  // namespace plastron::obstacle

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace plastron::obstacle {
 
@@ -200,6 +201,20 @@ std::size_t reach_direction(const Vector3d& a3, const Vector3d& way) {
   const Vector3d first = a3.unitOrthogonal();
   const double turns = std::atan2(way.dot(a3.cross(first)), way.dot(first)) / (2 * std::numbers::pi);
   return static_cast<std::size_t>(std::lround((turns + 1) * 8)) % 8;
+}
+
+void prepare_gaps(const Obstacle& obstacle, std::span<const ShellPoint> points) {
+  if (!obstacle.is_searched()) return;
+  std::vector<Vector3d> places;
+  for (const ShellPoint& at : points) places.push_back(at.phi + at.u);
+  obstacle.prepare(places);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ShellPoint& at = points[i];
+    const Vector3d director = at.a3 + at.r;
+    const Vector3d normal = obstacle.face == Face::nearer ? obstacle.nearest(places[i]).normal : Vector3d::Zero();
+    places[i] += face_position(obstacle.face, normal, at.is_turned ? director : at.a3) * at.thickness * director;
+  }
+  obstacle.prepare(places);
 }
 
 Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal) {

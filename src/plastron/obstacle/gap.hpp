@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 namespace plastron::obstacle {
 
@@ -54,6 +55,8 @@ struct FaceGap {
   double roundness = std::numeric_limits<double>::infinity();
 };
 FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at);
+/// Prepares the obstacle for face_gap() and gap_at() at many points.
+void prepare_gaps(const Obstacle& obstacle, std::span<const ShellPoint> points);
 
 /// The straight way of a point of the mid-surface relative to the obstacle.
 struct Passage {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <vector>
 
 namespace plastron::obstacle {
 
@@ -39,6 +40,15 @@ Nearest Obstacle::nearest(const Vector3d& X) const {
     const std::string own = in_body == X ? "" : fmt::format(", {} in its own coordinates", point_text(in_body));
     throw ObstacleError(fmt::format("{} at the point {} of space{}: {}", text(), point_text(X), own, error.what()));
   }
+}
+
+void Obstacle::prepare(std::span<const Vector3d> X) const {
+  const auto* field = std::get_if<DistanceField>(&shape);
+  if (!field) return;
+  std::vector<Vector3d> in_body;
+  in_body.reserve(X.size());
+  for (const Vector3d& x : X) in_body.push_back(placement.to_body(x));
+  field->prepare(in_body);
 }
 
 }  // namespace plastron::obstacle

@@ -12,6 +12,7 @@
 #include <plastron/obstacle/torus.hpp>
 #include <plastron/obstacle/triangle_surface.hpp>
 
+#include <span>
 #include <string>
 #include <variant>
 
@@ -48,6 +49,10 @@ struct Obstacle {
   /// Distance, normal and curvature at X for the placed shape. Throws ObstacleError with the obstacle's name and X if
   /// the shape has none there.
   Nearest nearest(const Vector3d& X) const;
+  /// Whether the distance needs a search that is faster for many points together.
+  bool is_searched() const { return std::holds_alternative<DistanceField>(shape); }
+  /// Prepares nearest() at many points. Does nothing for shapes that are not searched.
+  void prepare(std::span<const Vector3d> X) const;
 };
 
 }  // namespace plastron::obstacle

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,16 +15,23 @@ namespace plastron::obstacle {
 
 namespace {
 
-using Level = std::function<double(const Vector3d&)>;
+using Levels = std::function<std::vector<double>(std::span<const Vector3d>)>;
 
-/// A function that is zero on the surface and positive on the free side. It need not be a distance; NaN where it is
-/// undefined.
+/// Values of a function that is zero on the surface and positive on the free side. It need not be a distance; NaN where
+/// it is undefined.
 template <class Body>
-double level_of(const Body& body, const Vector3d& x) {
-  if constexpr (requires { body.level(x); })
-    return body.level(x);
-  else
-    return body.nearest(x).distance;
+std::vector<double> levels_of(const Body& body, std::span<const Vector3d> places) {
+  if constexpr (requires { body.levels(places); }) {
+    return body.levels(places);
+  } else {
+    std::vector<double> all;
+    for (const Vector3d& x : places)
+      if constexpr (requires { body.level(x); })
+        all.push_back(body.level(x));
+      else
+        all.push_back(body.nearest(x).distance);
+    return all;
+  }
 }
 
 /// The axis-parallel box in the body's coordinates around an extent in space.
@@ -35,19 +43,27 @@ Extent in_body(const Extent& extent, const Placement& placement) {
 
 class Marching {
  public:
-  Marching(const Level& level, const Extent& extent, int intervals)
-      : level_(level), low_(extent.low), step_((extent.high - extent.low) / intervals), n_(intervals + 1) {}
+  Marching(const Levels& levels, const Extent& extent, int intervals)
+      : levels_(levels), low_(extent.low), step_((extent.high - extent.low) / intervals), n_(intervals + 1) {}
 
   TriangleMesh surface() {
-    values_.resize(static_cast<std::size_t>(n_) * n_ * n_);
-    for (int i = 0; i < n_ * n_ * n_; ++i) values_[i] = level_(point(i));
+    std::vector<Vector3d> corners;
+    for (int i = 0; i < n_ * n_ * n_; ++i) corners.push_back(point(i));
+    values_ = levels_(corners);
     for (int k = 0; k + 1 < n_; ++k)
       for (int j = 0; j + 1 < n_; ++j)
         for (int i = 0; i + 1 < n_; ++i) cell(i + n_ * (j + n_ * k));
+    find_crossings();
+    orient();
     return std::move(mesh_);
   }
 
  private:
+  /// An edge of the grid from a corner outside of the body to one inside.
+  struct Edge {
+    int free, held;
+  };
+
   Vector3d point(int i) const {
     const Eigen::Vector3i at(i % n_, (i / n_) % n_, i / (n_ * n_));
     return low_ + step_.cwiseProduct(at.cast<double>());
@@ -83,34 +99,53 @@ class Marching {
     }
   }
 
-  /// Adds a triangle, oriented so that its normal points from the corner `held` inside the body to the corner `free`.
-  void add(std::array<int, 3> t, int free, int held) {
+  void add(const std::array<int, 3>& t, int free, int held) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
-    const auto& p = mesh_.points;
-    const Vector3d normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-    if (normal.dot(point(free) - point(held)) < 0) std::swap(t[1], t[2]);
     mesh_.triangles.push_back(t);
+    across_.push_back({free, held});
   }
 
-  /// The zero of the level between two corners, by bisection.
-  int crossing(int a, int b) {
-    const auto [found, is_new] = crossings_.try_emplace(std::minmax(a, b), static_cast<int>(mesh_.points.size()));
-    if (!is_new) return found->second;
-    Vector3d free = point(values_[a] > 0 ? a : b), held = point(values_[a] > 0 ? b : a);
-    constexpr int halvings = 30;
-    for (int i = 0; i < halvings; ++i) {
-      const Vector3d middle = (free + held) / 2;
-      (level_(middle) > 0 ? free : held) = middle;
+  /// Turns the triangles so that their normals point from the corner `held` inside the body to the corner `free`.
+  void orient() {
+    const auto& p = mesh_.points;
+    for (std::size_t k = 0; k < across_.size(); ++k) {
+      auto& t = mesh_.triangles[k];
+      const Vector3d normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+      if (normal.dot(point(across_[k].free) - point(across_[k].held)) < 0) std::swap(t[1], t[2]);
     }
-    mesh_.points.push_back((free + held) / 2);
+  }
+
+  /// Returns the number of the point between two corners where the level is zero.
+  int crossing(int a, int b) {
+    const auto [found, is_new] = crossings_.try_emplace(std::minmax(a, b), static_cast<int>(edges_.size()));
+    if (is_new) edges_.push_back(values_[a] > 0 ? Edge{a, b} : Edge{b, a});
     return found->second;
   }
 
-  const Level& level_;
+  /// Finds the zeros of the level on all edges, by bisection.
+  void find_crossings() {
+    std::vector<Vector3d> free, held, middle(edges_.size());
+    for (const Edge& edge : edges_) {
+      free.push_back(point(edge.free));
+      held.push_back(point(edge.held));
+    }
+    constexpr int halvings = 30;
+    for (int i = 0; i <= halvings; ++i) {
+      for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (free[k] + held[k]) / 2;
+      if (i == halvings) break;
+      const std::vector<double> values = levels_(middle);
+      for (std::size_t k = 0; k < middle.size(); ++k) (values[k] > 0 ? free : held)[k] = middle[k];
+    }
+    mesh_.points = std::move(middle);
+  }
+
+  const Levels& levels_;
   Vector3d low_, step_;
   int n_;
   std::vector<double> values_;
   std::map<std::pair<int, int>, int> crossings_;
+  std::vector<Edge> edges_;
+  std::vector<Edge> across_;  ///< of the triangles
   TriangleMesh mesh_;
 };
 
@@ -130,10 +165,10 @@ TriangleMesh marched(const Shape& shape, Extent extent, int intervals) {
     extent = {extent.low.cwiseMax(reach->low), extent.high.cwiseMin(reach->high)};
     if ((extent.low.array() >= extent.high.array()).any()) return {};
   }
-  const Level level = [&](const Vector3d& x) {
-    return std::visit([&](const auto& body) { return level_of(body, x); }, shape);
+  const Levels levels = [&](std::span<const Vector3d> places) {
+    return std::visit([&](const auto& body) { return levels_of(body, places); }, shape);
   };
-  return Marching(level, extent, intervals).surface();
+  return Marching(levels, extent, intervals).surface();
 }
 
 /// Removes triangles with their middle outside of the extent.

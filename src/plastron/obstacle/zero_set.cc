@@ -41,7 +41,105 @@ Vector3d tangent_step(const Vector3d& X, const Vector3d& Y, const SpaceJet& f) {
   return way - f.gradient * ((f.value + f.gradient.dot(way)) / f.gradient.squaredNorm());
 }
 
+/// Whether the surface, as its second derivatives at the foot show, bends little away from X within the distance.
+bool bends_little(const Vector3d& X, const ZeroSet::Foot& foot, double share) {
+  const double size = foot.f.gradient.norm();
+  const Vector3d n = foot.f.gradient / size;
+  const Matrix3d bend = (X - foot.Y).dot(n) * surface_curvature(n, size, foot.f.hessian);
+  return geometry::symmetric_eigen(bend).values[0] > -share;
+}
+
+/// Radii of the spheres around X, as parts of the distance, on which samples lie.
+constexpr std::array<double, 3> sampled_radii{0.4, 0.7, 1};
+
+void add_samples(const Vector3d& X, const ZeroSet::Foot& foot, std::vector<Vector3d>& samples) {
+  const double radius = (X - foot.Y).norm();
+  for (const double part : sampled_radii)
+    for (const Vector3d& direction : directions_around()) samples.push_back(X + part * radius * direction);
+}
+
+/// Whether samples exclude a nearer part of the surface. In the ball around X through the foot, n . w > |w|^2 / (2 r) for w = Y -
+/// foot. So F keeps its sign there if it differs from its tangent at the foot by less than |F'| |w|^2 / (2 r), as it does for
+/// |F''| r < |F'|. Samples must show a part of this, `share`.
+bool excludes_others(const Vector3d& X, const ZeroSet::Foot& foot, std::span<const Vector3d> samples,
+                     std::span<const double> values, double share) {
+  const double radius = (X - foot.Y).norm(), size = foot.f.gradient.norm();
+  const double side = (X - foot.Y).dot(foot.f.gradient) < 0 ? -1 : 1;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Vector3d w = samples[k] - foot.Y;
+    const double bent = side * (values[k] - foot.f.gradient.dot(w)) / size;
+    if (!(bent >= -share * w.squaredNorm() / (2 * radius) - foot.rounding(X))) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+const std::array<Vector3d, 26>& directions_around() {
+  static const auto all = [] {
+    std::array<Vector3d, 26> made;
+    std::size_t count = 0;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k)
+          if (i != 0 || j != 0 || k != 0) made[count++] = Vector3d(i, j, k).normalized();
+    return made;
+  }();
+  return all;
+}
+
+std::vector<std::optional<ZeroSet::Foot>> ZeroSet::sure_feet(std::span<const Vector3d> X) const {
+  constexpr int most_steps = 20;
+  const std::vector<SpaceJet> first = function_.jets(X);
+  std::vector<std::optional<Foot>> feet(X.size());
+  std::vector<std::size_t> moving;
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    if (!is_usable(first[i])) continue;
+    feet[i] = Foot{X[i], first[i], residual(X[i], X[i], first[i])};
+    if (feet[i]->off > 0) moving.push_back(i);
+  }
+  for (int step = 0; step < most_steps && !moving.empty(); ++step) {
+    std::vector<Vector3d> trials;
+    for (const std::size_t i : moving) trials.push_back(feet[i]->Y + newton_step(X[i], feet[i]->Y, feet[i]->f));
+    const std::vector<SpaceJet> there = function_.jets(trials);
+    std::vector<std::size_t> next;
+    for (std::size_t k = 0; k < moving.size(); ++k) {
+      Foot& foot = *feet[moving[k]];
+      const Vector3d& x = X[moving[k]];
+      const double off = is_usable(there[k]) ? residual(x, trials[k], there[k]) : foot.off;
+      const double before = foot.off, way = (trials[k] - foot.Y).norm();
+      if (off < before) foot = {trials[k], there[k], off};
+      if (off > 0 && off < before / 2 && way > 1e-15 * (x.norm() + (x - foot.Y).norm())) next.push_back(moving[k]);
+    }
+    moving = std::move(next);
+  }
+  drop_unsure(X, feet);
+  return feet;
+}
+
+void ZeroSet::drop_unsure(std::span<const Vector3d> X, std::span<std::optional<Foot>> feet) const {
+  constexpr double share = 0.3;  // sampled part of the bend that could let the surface come nearer
+  constexpr std::size_t at_once = 64;
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    if (!feet[i]) continue;
+    if (!feet[i]->is_found(X[i]) || feet[i]->has_no_side(X[i]) || !bends_little(X[i], *feet[i], share))
+      feet[i].reset();
+    else if ((X[i] - feet[i]->Y).norm() > feet[i]->rounding(X[i]))
+      open.push_back(i);
+  }
+  for (std::size_t begin = 0; begin < open.size(); begin += at_once) {
+    const auto some = std::span(open).subspan(begin, std::min(at_once, open.size() - begin));
+    std::vector<Vector3d> samples;
+    for (const std::size_t i : some) add_samples(X[i], *feet[i], samples);
+    const std::vector<double> values = function_.values(samples);
+    const std::size_t each = samples.size() / some.size();
+    for (std::size_t k = 0; k < some.size(); ++k)
+      if (!excludes_others(X[some[k]], *feet[some[k]], std::span(samples).subspan(k * each, each),
+                           std::span(values).subspan(k * each, each), share))
+        feet[some[k]].reset();
+  }
+}
 
 ZeroSet::Foot ZeroSet::newton(const Vector3d& X, Vector3d Y) const {
   constexpr int most_steps = 100;
