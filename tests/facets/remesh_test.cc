@@ -2,12 +2,15 @@
 #include "facets/surfaces.hpp"
 
 #include <plastron/facets/cells.hpp>
+#include <plastron/facets/untangle.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <random>
 
 namespace plastron::facets {
 namespace {
@@ -133,6 +136,50 @@ TEST(Remesh, IsTheSameOnEveryRun) {
   const Cells first = cells_of(facets, 0.1), second = cells_of(facets, 0.1);
   EXPECT_EQ(first.points, second.points);
   EXPECT_EQ(first.quadrilaterals, second.quadrilaterals);
+}
+
+/// A square of 8 x 8 pairs of triangles in the plane; its border are lines.
+Remeshed plane_square() {
+  constexpr int n = 8;
+  const auto at = [](int i, int j) { return j * (n + 1) + i; };
+  Remeshed mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) mesh.points.emplace_back(i, j, 0);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  mesh.face_of.assign(mesh.triangles.size(), 0);
+  for (int i = 0; i < n; ++i)
+    for (const std::array<int, 2>& ends : {std::array{at(i, 0), at(i + 1, 0)}, std::array{at(n, i), at(n, i + 1)},
+                                           std::array{at(i + 1, n), at(i, n)}, std::array{at(0, i + 1), at(0, i)}})
+      mesh.lines.push_back({ends, 0});
+  return mesh;
+}
+
+TEST(Untangling, TurnsBackTrianglesWhoseCornersWereMovedAcrossTheirNeighbours) {
+  std::mt19937 random(4);
+  std::uniform_int_distribution<int> inner(1, 7);
+  std::uniform_real_distribution<double> moved(-1.5, 1.5);
+  for (int k = 0; k < 40; ++k) {
+    Remeshed mesh = plane_square();
+    for (int m = 0; m < 3; ++m) {
+      Vector3d& point = mesh.points[static_cast<std::size_t>(9 * inner(random) + inner(random))];
+      for (int d = 0; d < 2; ++d) point[d] = std::clamp(point[d] + moved(random), 0.05, 7.95);
+    }
+    untangle(mesh);
+    double area = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vector3d to_b = mesh.points[b] - mesh.points[a], to_c = mesh.points[c] - mesh.points[a];
+      const double twice = to_b[0] * to_c[1] - to_b[1] * to_c[0];
+      EXPECT_GT(twice, 0);
+      area += twice / 2;
+    }
+    EXPECT_NEAR(area, 64, 1e-12);
+    EXPECT_EQ(mesh.lines.size(), 32U);
+    EXPECT_EQ(mesh.face_of.size(), mesh.triangles.size());
+  }
 }
 
 }  // namespace

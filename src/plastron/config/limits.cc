@@ -70,7 +70,8 @@ const std::vector<Limit>& limits() {
        "rigid supports, or a general program"},
       {"point-loads",
        {"point-load", "point_load", "nodal-load", "load.point", "load.at", "load.node"},
-       "Loads act on areas, edges and rigid bodies. A force at a point would move it without limit as the mesh is refined.",
+       "Loads act on areas, edges and rigid bodies. A force at a point would move it without limit as the mesh is "
+       "refined.",
        "not shown",
        "a pressure on a small patch by an expression, or a small obstacle with a `force`"},
       {"load-cases",
