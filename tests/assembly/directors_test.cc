@@ -26,6 +26,16 @@ struct Part {
   int degree;
 };
 
+/// A plate with a rib of height one half, a fold at its side, and a plate across the ends of both.
+topology::SpaceMesh rib_beside_a_fold(Shape shape) {
+  topology::SpaceMesh mesh{.shape = shape, .nodes = {}, .cells = {}};
+  const Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  for (const double at : {0.0, 1.0}) add_grid({1, 1, 1}, plate(at * x, x, y), mesh);
+  for (const double at : {0.0, 1.0, 2.0}) add_grid({1, 1, 1}, plate(at * x, 0.5 * z, y), mesh);
+  for (const double at : {0.0, 1.0}) add_grid({1, 1, 1}, plate(at * x, x, 0.5 * z), mesh);
+  return glued(std::move(mesh));
+}
+
 std::vector<Part> parts() {
   std::vector<Part> all;
   for (const Shape shape : {Shape::quadrilateral, Shape::triangle}) {
@@ -39,6 +49,9 @@ std::vector<Part> parts() {
     all.push_back({"cube" + cells, cube(shape, 2), 2});
     all.push_back({"three plates" + cells, star(shape, 2, 1, {0, 2, 4}), 2});
     all.push_back({"rib" + cells, star(shape, 1, 2, {0, std::numbers::pi, 1.3}), 2});
+    all.push_back({"cross" + cells, star(shape, 1, 1, {0.3, 0.3 + pi / 2, 0.3 + pi, 0.3 + 3 * pi / 2}), 2});
+    all.push_back({"star of five" + cells, star(shape, 1, 1, {0, 1, 2.4, pi, 5}), 2});
+    all.push_back({"rib beside a fold" + cells, rib_beside_a_fold(shape), 2});
   }
   return all;
 }
@@ -142,16 +155,11 @@ algebra::Vector sum(algebra::Vector y, double factor, const algebra::Vector& z) 
   return y;
 }
 
-/// Curved parts without folds, at all degrees from that of the part on.
-std::vector<Part> smooth_parts_of_all_degrees() {
+std::vector<Part> parts_of_all_degrees() {
   std::vector<Part> all;
-  for (const Part& part : parts()) {
-    if (!part.name.starts_with("tube") && !part.name.starts_with("sphere of order 3") &&
-        !part.name.starts_with("sphere of order 4"))
-      continue;
+  for (const Part& part : parts())
     for (int degree = part.degree; degree <= (part.mesh.shape == Shape::triangle ? 2 : 4); ++degree)
       all.push_back({part.name + " at degree " + std::to_string(degree), part.mesh, degree});
-  }
   return all;
 }
 
@@ -163,7 +171,7 @@ Shell finite_shell_on(const Part& part) {
 // alone, a small motion would have an energy that does not vanish with it.
 TEST(Directors, SmallMotionsHaveTheEnergyOfTheLinearModelWithFiniteRotations) {
   constexpr double size = 1e-7;
-  for (const Part& part : smooth_parts_of_all_degrees()) {
+  for (const Part& part : parts_of_all_degrees()) {
     const Shell shell = finite_shell_on(part);
     const algebra::Vector y = some_increment(*shell.discrete);
     const double linear = shell.discrete->shell.energies(y).total();
@@ -174,9 +182,9 @@ TEST(Directors, SmallMotionsHaveTheEnergyOfTheLinearModelWithFiniteRotations) {
   }
 }
 
-TEST(Directors, RotationsByAnyAngleHaveNoStrain) {
+TEST(Directors, RotationsByAnyAngleHaveNoStrainAndSatisfyTheFolds) {
   const Eigen::Vector3d rotation(0.5, 0.9, -0.6), c(0.3, -0.2, 0.5), w(0.1, 0.7, -0.4);
-  for (const Part& part : smooth_parts_of_all_degrees()) {
+  for (const Part& part : parts_of_all_degrees()) {
     const Shell shell = finite_shell_on(part);
     DiscreteShell& discrete = *shell.discrete;
     const double strained = discrete.shell.energies(some_field(*shell.space)).total();
@@ -186,6 +194,25 @@ TEST(Directors, RotationsByAnyAngleHaveNoStrain) {
     EXPECT_LT(discrete.energies(discrete.state.displacement).total(), 1e-24 * strained) << part.name;
     const algebra::Vector rigid = test::rigid_motion(*shell.space, discrete.moved, c, w);
     EXPECT_LT(discrete.motion_energies(rigid).total(), 1e-20 * strained) << part.name;
+    algebra::Vector constrained = rigid;
+    discrete.coordinates.space->constraints.apply(constrained);
+    EXPECT_LT(algebra::max_abs(sum(constrained, -1, rigid)), 1e-12) << part.name;
+  }
+}
+
+// Newton steps converge if the state after an increment differs from it by terms of second order only.
+TEST(Directors, IncrementsFromADeformedStateAreTangentsOfStates) {
+  for (const Part& part : parts()) {
+    const Shell shell = finite_shell_on(part);
+    DiscreteShell& discrete = *shell.discrete;
+    const algebra::Vector some = some_increment(discrete);
+    linearise(discrete, {.displacement = sum(turned_by({0.4, -1, 0.5}, discrete), 0.1, some)});
+    const algebra::Vector state = discrete.state.displacement, increment = some_increment(discrete);
+    const auto departure = [&](double size) {
+      const algebra::Vector moved = sum(state, size, increment);
+      return algebra::max_abs(sum(with_kept_lengths(*shell.space, discrete.points, moved), -1, moved));
+    };
+    EXPECT_NEAR(departure(1e-4) / departure(1e-5), 100, 5) << part.name;
   }
 }
 

@@ -1,6 +1,8 @@
 #include <plastron/assembly/deformed.hpp>
 
+#include <plastron/assembly/contact_coordinates.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/fem/kept_angles.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <Eigen/Cholesky>
@@ -71,14 +73,11 @@ void carry(const fem::PlacedBody& placed, const fem::BodyPlace& place, const std
   }
 }
 
-/// Returns r of a node whose director points along d and has its length in the reference.
-Vector3d rotation_to(const Vector3d& d, const NodalPoint& point) { return point.a3.norm() * d.normalized() - point.a3; }
-
-/// Turns the director of a kinked node in the plane of both directors so that their angle is that of the reference.
-void keep_angle(const NodalPoint& first, const NodalPoint& second, const Vector3d& d_first, Eigen::Map<Vector3d> r) {
-  const Vector3d a = first.a3.normalized(), b = second.a3.normalized(), along = d_first.normalized();
-  const Vector3d d = second.a3 + r, across = (d - along.dot(d) * along).normalized();
-  r = rotation_to(a.dot(b) * along + a.cross(b).norm() * across, second);
+std::vector<Vector3d> normals_of(const std::vector<NodalPoint>& points) {
+  std::vector<Vector3d> normals;
+  normals.reserve(points.size());
+  for (const NodalPoint& point : points) normals.push_back(point.a3);
+  return normals;
 }
 
 /// Where all three components of r are prescribed, replaces them by the way to the director, tangential to the present one.
@@ -116,13 +115,13 @@ std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vect
 
 algebra::Vector with_kept_lengths(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y) {
   const std::vector<fem::BodyPlace> places = body_places(space, points, y);
+  const std::vector<Vector3d> normals = normals_of(points);
+  std::vector<Vector3d> directors = normals;
   const auto rotation = [&](std::size_t node) { return Eigen::Map<Vector3d>(y.at(node).data() + 3); };
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!rotation(i).isZero(0)) rotation(i) = rotation_to(points[i].a3 + rotation(i), points[i]);
-  for (const constraints::Row& kink : space.kinks.rows()) {
-    const auto first = static_cast<std::size_t>(kink.terms.front().node), second = static_cast<std::size_t>(kink.node);
-    keep_angle(points[first], points[second], points[first].a3 + rotation(first), rotation(second));
-  }
+    if (!rotation(i).isZero(0)) directors[i] = normals[i].norm() * (normals[i] + rotation(i)).normalized();
+  fem::keep_angles(space, normals, directors);
+  for (std::size_t i = 0; i < points.size(); ++i) rotation(i) = directors[i] - normals[i];
   for (std::size_t k = 0; k < places.size(); ++k) carry(space.bodies[k], places[k], points, y);
   space.continuity.apply(y);
   return y;
@@ -141,12 +140,6 @@ std::shared_ptr<const fem::Space> turned_space(const std::shared_ptr<const fem::
                                                const std::vector<NodalPoint>& points,
                                                const std::vector<NodalPoint>& moved,
                                                const std::vector<fem::BodyPlace>& places) {
-  const auto normals_of = [](const std::vector<NodalPoint>& all) {
-    std::vector<Vector3d> normals;
-    normals.reserve(all.size());
-    for (const NodalPoint& point : all) normals.push_back(point.a3);
-    return normals;
-  };
   return fem::turned(space, normals_of(points), normals_of(moved), places);
 }
 

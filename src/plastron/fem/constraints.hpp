@@ -48,7 +48,7 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
 std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space, double part);
 
 /// Returns the space for small motions about a deformed state, in which kinks and rigid bodies have turned (collective).
-/// `normals`, `directors`: unit vectors of local nodes before and now. `places`: those of the bodies, whose prescribed
+/// `normals`, `directors`: those of local nodes before and now. `places`: those of the bodies, whose prescribed
 /// components become what remains to be moved.
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Eigen::Vector3d> normals,
                                     std::span<const Eigen::Vector3d> directors, std::span<const BodyPlace> places);

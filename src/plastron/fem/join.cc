@@ -2,13 +2,13 @@
 #include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/fem/kinks.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
-#include <deque>
 #include <limits>
 #include <map>
 #include <set>
@@ -46,128 +46,6 @@ class Classes {
 
  private:
   std::map<GlobalIndex, GlobalIndex> parent_;
-};
-
-/// Two nodes at the same place with different normals.
-struct Kink {
-  std::array<BoundaryNode, 2> nodes;
-};
-
-/// The row of a node at a kink, as known to all ranks.
-struct KinkedNode {
-  Matrix6 own = Matrix6::Zero();
-  std::vector<std::pair<GlobalIndex, Matrix6>> sources{};  ///< other nodes; the first one determines u
-};
-
-/// The nodes that determine a node's (u, r), possibly with the node itself, and their matrices.
-using Expression = std::map<GlobalIndex, Matrix6>;
-
-/// One condition of a node: its r . `direction` equals the other's r . `other_direction`.
-struct TurnsWith {
-  GlobalIndex other;
-  Vector3d direction, other_direction;
-};
-
-/// The direction D with (w x d) . D = w . along for every rotation w, if d is normal to `along`. Directors of meshes in
-/// space need not be unit vectors.
-Vector3d turning(const Vector3d& along, const Vector3d& director) {
-  return along.cross(director) / director.squaredNorm();
-}
-
-/// Expresses the nodes of connected kinks by each other, beginning with the smallest node. Throws DomainError if a node
-/// would have to turn with more than two others about different tangents.
-class KinkedGroups {
- public:
-  explicit KinkedGroups(const std::vector<Kink>& kinks) {
-    for (const Kink& kink : kinks)
-      for (std::size_t k = 0; k < 2; ++k) {
-        const BoundaryNode &node = kink.nodes[k], &other = kink.nodes[1 - k];
-        const Vector3d& along = kink.nodes[0].along;
-        at_.emplace(node.node, node);
-        neighbours_[node.node].push_back({other.node, turning(along, node.normal), turning(along, other.normal)});
-      }
-  }
-
-  /// Returns all nodes with a row by number.
-  std::map<GlobalIndex, KinkedNode> kinked() {
-    for (const auto& [node, unused] : neighbours_)
-      if (!expressed_.contains(node)) go_through(node);
-    return std::move(kinked_);
-  }
-
- private:
-  void go_through(GlobalIndex first) {
-    expressed_[first] = {{first, Matrix6::Identity()}};
-    std::deque<GlobalIndex> waiting{first};
-    std::set<GlobalIndex> seen{first};
-    while (!waiting.empty()) {
-      const GlobalIndex node = waiting.front();
-      waiting.pop_front();
-      if (node != first) express(node);
-      for (const TurnsWith& next : neighbours_[node])
-        if (seen.insert(next.other).second) waiting.push_back(next.other);
-    }
-  }
-
-  /// Independent conditions of a node with nodes that are already expressed.
-  std::vector<TurnsWith> conditions(GlobalIndex node) const {
-    constexpr double parallel = 1e-6;
-    std::vector<TurnsWith> all;
-    for (const TurnsWith& next : neighbours_.at(node)) {
-      if (!expressed_.contains(next.other)) continue;
-      if (std::ranges::any_of(
-              all, [&](const TurnsWith& known) { return known.direction.cross(next.direction).norm() < parallel; }))
-        continue;
-      all.push_back(next);
-    }
-    if (all.size() > 2) {
-      const Vector3d& place = at_.at(node).place;
-      throw mesh::DomainError(
-          fmt::format("edges cannot be joined: at ({:.6g}, {:.6g}, {:.6g}) a shell meets others at angles along three "
-                      "directions; at most two are joined there",
-                      place[0], place[1], place[2]));
-    }
-    return all;
-  }
-
-  void express(GlobalIndex node) {
-    const auto turns = conditions(node);
-    const Vector3d a3 = at_.at(node).normal.normalized();
-    Expression& all = expressed_[node];
-    for (const auto& [source, block] : expressed_.at(turns[0].other))
-      all.try_emplace(source, Matrix6::Zero()).first->second.topRows<3>() += block.topRows<3>();
-    const auto dual = dual_directions(turns, a3);
-    for (std::size_t k = 0; k < turns.size(); ++k)
-      for (const auto& [source, block] : expressed_.at(turns[k].other))
-        all.try_emplace(source, Matrix6::Zero()).first->second.bottomRows<3>() +=
-            dual[k] * (turns[k].other_direction.transpose() * block.bottomRows<3>());
-    const GlobalIndex decides_u = std::ranges::find_if(all, [](const auto& entry) {
-                                    return !entry.second.template topRows<3>().isZero(0);
-                                  })->first;
-    KinkedNode& kinked = kinked_[node];
-    kinked.sources.emplace_back(decides_u, all.at(decides_u));
-    constexpr double rounding = 1e-12;  // relative to products of unit vectors
-    for (const auto& entry : all)
-      if (entry.first != decides_u && entry.second.norm() > rounding) kinked.sources.emplace_back(entry);
-    kinked.own.bottomRightCorner<3, 3>() = a3 * a3.transpose();
-    if (turns.size() == 1) {
-      const Vector3d along = turns[0].direction.cross(a3).normalized();
-      kinked.own.bottomRightCorner<3, 3>() += along * along.transpose();
-    }
-    all[node] = kinked.own;
-  }
-
-  /// Tangential vectors dual to the directions: their products with the directions are one and zero.
-  static std::vector<Vector3d> dual_directions(const std::vector<TurnsWith>& turns, const Vector3d& a3) {
-    if (turns.size() == 1) return {turns[0].direction / turns[0].direction.squaredNorm()};
-    const double area = a3.dot(turns[0].direction.cross(turns[1].direction));
-    return {turns[1].direction.cross(a3) / area, a3.cross(turns[0].direction) / area};
-  }
-
-  std::map<GlobalIndex, BoundaryNode> at_;
-  std::map<GlobalIndex, std::vector<TurnsWith>> neighbours_;
-  std::map<GlobalIndex, Expression> expressed_;
-  std::map<GlobalIndex, KinkedNode> kinked_;
 };
 
 /// Relations between the nodes of joined edges.
@@ -232,16 +110,21 @@ void add_folds(const Space& space, const Surface& surface, JoinedEdges& edges) {
   }
 }
 
-/// Adds the rows of identified nodes and of nodes at kinks.
+/// Adds the rows of identified nodes and of nodes at kinks. Each rank sees all nodes of a kink or none.
 void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode>& kinked, Space& space) {
   const algebra::Distribution before = *space.layout;
-  std::set<GlobalIndex> wanted;
+  const auto decides = [&](GlobalIndex node) {
+    const auto found = kinked.find(node);
+    return found == kinked.end() ? node : found->second.sources.front().first;
+  };
+  std::set<GlobalIndex> wanted, deciding_here;
   for (LocalIndex i = 0; i < before.local_size(); ++i) {
     const GlobalIndex node = same.representative(before.global(i));
     if (same.is_represented(before.global(i))) wanted.insert(node);
-    if (const auto found = kinked.find(node); found != kinked.end())
-      for (const auto& [source, block] : found->second.sources) wanted.insert(source);
+    deciding_here.insert(decides(node));
   }
+  for (const auto& [node, row] : kinked)
+    if (deciding_here.contains(decides(node))) wanted.insert({node, decides(node)});
   widen(space, wanted);
   const algebra::Layout& after = *space.layout;
   std::vector<constraints::Row> equal, at_kinks, deciding;
@@ -250,11 +133,8 @@ void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode
     if (same.is_represented(node)) equal.push_back({i, {{.node = after.local(same.representative(node))}}});
     const auto found = kinked.find(node);
     if (found == kinked.end()) continue;
-    constraints::Row& row = at_kinks.emplace_back(constraints::Row{.node = i});
-    for (const auto& [source, block] : found->second.sources)
-      row.terms.push_back(constraints::term(after.local(source), block));
-    deciding.push_back({i, {{.node = row.terms.front().node}}});
-    row.terms.push_back(constraints::term(i, found->second.own));
+    at_kinks.push_back(row_of(after, i, found->second));
+    deciding.push_back({i, {{.node = at_kinks.back().terms.front().node}}});
   }
   space.continuity = compose(space.continuity, constraints::Map(std::move(equal), after.comm), after.comm);
   space.kinks = constraints::Map(std::move(deciding), after.comm);
@@ -281,7 +161,7 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
   auto result = std::make_shared<Space>(*space);
   for (Kink& kink : edges.kinks)
     for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);
-  add_joined_rows(edges.same, KinkedGroups(edges.kinks).kinked(), *result);
+  add_joined_rows(edges.same, expressed(edges.kinks).nodes, *result);
   // The shell does not end at joined edges.
   for (BoundarySide& side : result->sides)
     if (boundaries.contains(side.boundary)) side.is_inner = true;

@@ -3,6 +3,7 @@
 #include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
+#include <plastron/fem/kept_angles.hpp>
 #include <plastron/geometry/rotation.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 
@@ -243,21 +244,6 @@ Matrix6 turned_block(const Matrix3d& turn, const Matrix6& block) {
   return both * block * both.transpose();
 }
 
-/// Returns the rotation that takes two unit vectors to two others, nearly; of parallel ones the least rotation.
-Matrix3d rotation_between(const std::array<Vector3d, 2>& before, const std::array<Vector3d, 2>& now) {
-  constexpr double parallel = 0.05;
-  const auto frame = [](const std::array<Vector3d, 2>& pair) {
-    Matrix3d columns;
-    columns.col(0) = pair[0].normalized();
-    columns.col(2) = pair[0].cross(pair[1]).normalized();
-    columns.col(1) = columns.col(2).cross(columns.col(0));
-    return columns;
-  };
-  if (before[0].cross(before[1]).norm() > parallel && now[0].cross(now[1]).norm() > parallel)
-    return frame(now) * frame(before).transpose();
-  return Eigen::Quaterniond::FromTwoVectors(before[0], now[0]).toRotationMatrix();
-}
-
 /// Returns the rotation from a body's present one to the prescribed one, where all of it is prescribed; else the difference of
 /// the rotation vectors, whose prescribed components vanish in the end.
 Vector3d remaining_rotation(const RigidBody& body, const Matrix3d& turn) {
@@ -294,20 +280,7 @@ std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, s
   if (space->bodies.empty() && space->kinks.is_identity()) return space;
   const MPI_Comm comm = space->layout->comm;
   auto result = std::make_shared<Space>(*space);
-  std::vector<constraints::Row> rows;
-  for (const constraints::Row& kink : space->kinks.rows()) {
-    const auto node = static_cast<std::size_t>(kink.node);
-    constraints::Row row = *space->constraints.find(node);
-    Matrix3d last = Matrix3d::Identity();
-    for (constraints::Term& term : row.terms) {
-      if (!term.block) continue;
-      const auto source = static_cast<std::size_t>(term.node);
-      if (source != node)
-        last = rotation_between({normals[source], normals[node]}, {directors[source], directors[node]});
-      term = constraints::term(term.node, term.weight * turned_block(last, *term.block));
-    }
-    rows.push_back(std::move(row));
-  }
+  std::vector<constraints::Row> rows = turned_kinks(*space, normals, directors);
   for (std::size_t k = 0; k < result->bodies.size(); ++k) {
     result->bodies[k] = turned_body(result->bodies[k], places[k]);
     Matrix6& gram = result->bodies[k].gram;

@@ -46,7 +46,7 @@ SmallMotions small_motions(const assembly::DiscreteShell& discrete, const soluti
 algebra::Matrix mass_matrix(const assembly::DiscreteShell& discrete, const NodalCoordinates& coordinates) {
   const assembly::ShellOperator& shell = discrete.shell;
   const Eigen::MatrixXd& value = shell.tables().quadrature.value;
-  return assembly::matrix_of_cells(discrete.space(), coordinates.width, [&](std::size_t c) {
+  return assembly::matrix_of_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
     Eigen::VectorXd of_u(value.rows()), of_r(value.rows());
     for (Eigen::Index q = 0; q < value.rows(); ++q) {
       const assembly::QuadraturePoint p = shell.point(c, static_cast<int>(q));

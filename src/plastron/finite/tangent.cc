@@ -110,7 +110,7 @@ constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& disc
 template <class OfCell>
 algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
-  algebra::Matrix matrix = assembly::matrix_of_cells(discrete.space(), coordinates.width, of_cell);
+  algebra::Matrix matrix = assembly::matrix_of_cells(*coordinates.space, coordinates.width, of_cell);
   algebra::Vector forces = forces_of_stresses(
       discrete.shell, [&](std::size_t c) { return prestress.stresses[c]; },
       [&](std::size_t c) { return discrete.geometry(c); });
@@ -156,7 +156,7 @@ element::CellField geometric_forces(const ShellOperator& shell, const CellStrain
 
 algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
                                 const assembly::NodalCoordinates& coordinates) {
-  return assembly::matrix_of_cells(discrete.space(), coordinates.width, [&](std::size_t c) {
+  return assembly::matrix_of_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
     return assembly::material_stiffness(discrete.shell, coordinates, c, discrete.geometry(c));
   });
 }
