@@ -158,7 +158,7 @@ TriangleSurface cube_of_triangles(double length) {
     mesh.triangles.push_back({a, b, c});
     mesh.triangles.push_back({a, c, d});
   }
-  return {mesh, "cube"};
+  return TriangleSurface(mesh, "cube");
 }
 
 std::vector<SharpEdge> sharp_edges(double length) {

@@ -131,21 +131,26 @@ std::optional<Vector3d> edge_below(const Obstacle& obstacle, const Vector3d& abo
   return foot_on_edge(obstacle, above + reach[reach_direction(a3, way)] * way.normalized());
 }
 
-std::optional<FaceGap> edge_gap(const Obstacle& obstacle, const HalfFibre& fibre, const Vector3d& a3,
-                                const Reach& reach) {
+/// With small rotations the force acts along the normal n_0 for the undeformed face, as loads act in undeformed places. The turn
+/// of the tangent plane changes the gap by (n - n_0) . (X_0 - E), X_0 the face without its rotation.
+std::optional<FaceGap> edge_gap(const Obstacle& obstacle, const ShellPoint& at, double z, const Reach& reach) {
   // More than one half, so that the nodes leave no edge out. Less than 1: an edge at the next node is left to it.
   constexpr double part_of_reach = 0.75;
   constexpr double small = 1e-3, least_cosine = 0.5;
-  const Vector3d inward = -fibre.outward, X = fibre.face();
-  const double widest = *std::ranges::max_element(reach);
-  const auto edge = edge_below(obstacle, X + widest * inward, inward, a3, reach);
+  const double widest = *std::ranges::max_element(reach), side = z < 0 ? 1 : -1;
+  const Vector3d inward = side * (at.a3 + at.r).normalized(), X = at.phi + at.u + z * (at.a3 + at.r);
+  const auto edge = edge_below(obstacle, X + widest * inward, inward, at.a3, reach);
   if (!edge) return {};
   const Vector3d way = X - *edge, along = way.dot(inward) * inward - way;
-  if (along.norm() > part_of_reach * reach[reach_direction(a3, along)]) return {};
+  if (along.norm() > part_of_reach * reach[reach_direction(at.a3, along)]) return {};
   // Near the edge the distance has the normal that is the projection of the direction on the cone.
-  const Vector3d n = obstacle.nearest(*edge + small * widest * inward).normal;
+  const auto normal_for = [&](const Vector3d& direction) {
+    return obstacle.nearest(*edge + small * widest * direction).normal;
+  };
+  const Vector3d n = normal_for(inward), n0 = at.is_turned ? n : normal_for(side * at.a3);
   if (!(n.dot(inward) > least_cosine)) return {};
-  return FaceGap{.distance = n.dot(way), .normal = n, .clearance = n.dot(way), .roundness = 0};
+  const double distance = n0.dot(way) + (n - n0).dot(way - z * at.r);
+  return FaceGap{.distance = distance, .normal = n0, .clearance = distance, .roundness = 0};
 }
 
 /// The gap of the face at height z. `in_middle` contains the obstacle's nearest values at the mid-surface, if known.
@@ -167,7 +172,7 @@ FaceGap gap_of_face(const Obstacle& obstacle, const ShellPoint& at, double z, st
     gap = other.value_or(gap);
   }
   if (reach && obstacle.has_edges() && std::abs(gap.distance) < *std::ranges::max_element(*reach)) {
-    const auto edge = edge_gap(obstacle, fibre, at.a3, *reach);
+    const auto edge = edge_gap(obstacle, at, z, *reach);
     if (edge && edge->distance < gap.distance) gap = *edge;
   }
   gap.z = z;
