@@ -13,6 +13,11 @@ constexpr int most_newton_steps = 60;
 /// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
 constexpr double negligible_step = 1e-9, tiny_step = 1e-8, small_step = 1e-5;
 
+/// Largest size of a step, and least ratio to the step before it, after which the exact derivative of the residual is tried.
+constexpr double near_end = 0.1, slow = 0.05;
+/// Part of a shift with which the next step begins if the shift shortens the steps.
+constexpr double next_part_of_shift = 1.0 / 16;
+
 /// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
 /// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
 constexpr double far_beyond = 3, large_part = 0.2;
@@ -42,6 +47,8 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     start = std::move(step.next);
     const double size =
         std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
+    start.prestress.is_exact = step.shift == 0 && size < near_end && size > slow * before;
+    if (step.shift > 0) start.next_shift = size < before ? next_part_of_shift * step.shift : step.shift;
     // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
     const bool is_rounding = size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
     before = size;

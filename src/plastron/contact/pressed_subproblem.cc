@@ -60,10 +60,13 @@ void PressedSubproblem::start_from(std::vector<double> positions) {
 }
 
 std::optional<SubproblemPoint> PressedSubproblem::solve_first(std::span<const Activity> initial, ActiveSet& set) {
-  set = starting_set(problem_, initial);
+  const ActiveSet expected = set = starting_set(problem_, initial);
   if (auto point = solve(set)) return point;
-  if (const ActiveSet touching = everything_touching(problem_); count_active(problem_, touching) > 0)
+  if (const ActiveSet touching = everything_touching(problem_);
+      count_active(problem_, touching) > 0 && count_changes(problem_, touching, expected) > 0)
     if (auto point = solve(set = touching)) return point;
+  // All bounds together would hide the motion that has no stiffness, and later sets would meet it again.
+  if (problem_.may_be_indefinite && problem_.pressing.empty() && count_active(problem_, expected) > 0) return {};
   return solve(set = everything_active(problem_));
 }
 

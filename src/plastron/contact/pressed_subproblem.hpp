@@ -28,7 +28,8 @@ class PressedSubproblem {
   /// (collective)
   std::optional<SubproblemPoint> solve(const ActiveSet& set);
   /// Returns the point on `initial`. If that leaves a motion free, unknowns that touch at z = 0 or all bounds are
-  /// active. `set` becomes the set of the point. (collective)
+  /// active; with an indefinite matrix all bounds only if nothing is active in `initial`. `set` becomes the set of the
+  /// point. (collective)
   std::optional<SubproblemPoint> solve_first(std::span<const Activity> initial, ActiveSet& set);
   Status failure() const { return failure_; }
 

@@ -51,7 +51,7 @@ StepStart start_after(const assembly::DiscreteShell& discrete, const NewtonStep&
   return next;
 }
 
-constexpr double least_shift = 1e-6, largest_shift = 0.3;
+constexpr double largest_shift = 0.3;
 
 /// Returns the contact problem of increments with this stiffness.
 contact::BoxProblem increments(const assembly::DiscreteShell& discrete, const algebra::Matrix& matrix) {
@@ -154,8 +154,18 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
     if (control) control->add(rho, *geometric);
     step.box = contact::solve(box, expected, factor, settings, observer);
   }
-  while (has_no_minimiser(step.status()) && box.shift < largest_shift) {
-    box.shift = box.shift == 0 ? least_shift : 4 * box.shift;
+  const auto needs_shift = [&] {
+    return has_no_minimiser(step.status()) || step.status() == contact::Status::linear_solver_stalled;
+  };
+  if (needs_shift() && start.prestress.is_exact) {
+    StepStart other = start;
+    other.prestress.is_exact = false;
+    NewtonStep again = newton_step(discrete, other, settings, observer);
+    again.factorisations += factor.factorisations();
+    return again;
+  }
+  while (needs_shift() && box.shift < largest_shift) {
+    box.shift = std::max(4 * box.shift, start.next_shift);
     step.box = contact::solve(box, expected, factor, settings, observer);
   }
   step.factorisations = factor.factorisations();

@@ -11,8 +11,9 @@ namespace plastron::finite {
 /// Data with which a step starts, beside the shell linearised at its state.
 struct StepStart {
   Prestress prestress{};
-  algebra::Vector zone{};  ///< a value for each node and obstacle, above one half where contact is likely
-  double shift = 0;        ///< the first shift that is tried
+  algebra::Vector zone{};    ///< a value for each node and obstacle, above one half where contact is likely
+  double shift = 0;          ///< the first shift that is tried
+  double next_shift = 1e-6;  ///< the shift that is tried if the first does not suffice
 };
 
 /// Result of a step.

@@ -52,12 +52,12 @@ Eigen::MatrixXd at_samples(const element::Sampling& sampling, const Eigen::Matri
 
 /// Returns the geometric stiffness, tied like the strains; but compressive N, and M, work at the points of the strain 12. At other
 /// points they feel motions P_k(xi_2) f(xi_1), which the tied strain 12 does not see: where a cell is narrow, and compressed or
-/// strongly bent, these would lower the energy (docs/methods/finite-rotations.md).
-ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses) {
+/// strongly bent, these would lower the energy (docs/methods/finite-rotations.md). `is_exact`: the derivative of the residual.
+ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& stresses, bool is_exact) {
   const element::ElementTables& tables = shell.tables();
   CellStrain others = stresses;
-  Eigen::MatrixX3d compressive(stresses.rows(), 3);
-  for (Eigen::Index q = 0; q < stresses.rows(); ++q) {
+  Eigen::MatrixX3d compressive = Eigen::MatrixX3d::Zero(stresses.rows(), 3);
+  for (Eigen::Index q = 0; !is_exact && q < stresses.rows(); ++q) {
     compressive.row(q) = compression(stresses.row(q).head<3>().transpose()).transpose();
     others.row(q).head<3>() -= compressive.row(q);
   }
@@ -71,7 +71,9 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
   }
   const element::Sampling& sampling = sampling_of_12(tables);
   k.of_u += of_gradients(sampling.basis, at_samples(sampling, compressive));
-  k.of_u_and_r += of_gradients(sampling.basis, at_samples(sampling, stresses.middleCols<3>(3)));
+  const Eigen::MatrixX3d moments = stresses.middleCols<3>(3);
+  k.of_u_and_r += is_exact ? of_gradients(tables.quadrature, moments)
+                           : of_gradients(sampling.basis, at_samples(sampling, moments));
   return k;
 }
 
@@ -95,8 +97,8 @@ void add_curvature_of_spheres(const assembly::DiscreteShell& discrete, const alg
 constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                              const assembly::NodalCoordinates& coordinates, std::size_t cell,
                                              const assembly::CellGeometry& at) {
-  constraints::NodeColumns k =
-      in_coordinates(coordinates, cell, geometric_stiffness(discrete.shell, prestress.stresses[cell]));
+  constraints::NodeColumns k = in_coordinates(
+      coordinates, cell, geometric_stiffness(discrete.shell, prestress.stresses[cell], prestress.is_exact));
   const auto& pressure = discrete.follower_pressure;
   if (discrete.has_finite_rotations() && !pressure.empty() && pressure[cell].size() > 0)
     k.matrix +=
@@ -147,7 +149,7 @@ Prestress prestress(const assembly::DiscreteShell& discrete, const solution::Nod
 
 element::CellField geometric_forces(const ShellOperator& shell, const CellStrain& stresses,
                                     const element::CellField& field) {
-  const ScalarBlocks k = geometric_stiffness(shell, stresses);
+  const ScalarBlocks k = geometric_stiffness(shell, stresses, false);
   element::CellField forces(field.rows(), 6);
   forces.leftCols<3>() = k.of_u * field.leftCols<3>() + k.of_u_and_r * field.rightCols<3>();
   forces.rightCols<3>() = k.of_u_and_r.transpose() * field.leftCols<3>();
