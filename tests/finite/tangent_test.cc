@@ -1,6 +1,7 @@
 // Forces and stiffness of the shell with finite rotations: derivatives of the energy (M27) along directors of length 1.
 #include <plastron/assembly/deformed.hpp>
 #include <plastron/finite/tangent.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <Eigen/Geometry>
 
@@ -105,6 +106,29 @@ TEST(TangentMatrix, IsTheSecondDerivativeOfThePotentialOnDirectorsOfLengthOne) {
     EXPECT_NEAR(second, exact, (is_tied ? 0.02 : 1e-6) * std::abs(second));
     EXPECT_GE(second, exact - 1e-6 * std::abs(second));
   }
+}
+
+/// The tied strain 12 does not see u = P_k(xi_2) f(xi_1): it has no stiffness by which such a motion could resist its coupling to r.
+TEST(GeometricStiffness, OfMomentsLeavesOutMotionsThatTiedStrainsDoNotSee) {
+  for (const int degree : {1, 2, 3, 4, 6})
+    for (const Eigen::Index moment : {3, 4}) {
+      const auto discrete = make({test::quadrilateral, degree, true}, test::flat);
+      CellStrain stresses = CellStrain::Zero(discrete->shell.tables().points_per_cell(), 8);
+      stresses.col(moment).setOnes();
+      const std::vector<double> nodes = mesh::gauss_lobatto(degree + 1).points;
+      const auto motion = [&](bool is_seen) {
+        element::CellField field = element::CellField::Zero(static_cast<Eigen::Index>(nodes.size() * nodes.size()), 6);
+        for (std::size_t i = 0; i < nodes.size() * nodes.size(); ++i) {
+          const double across = nodes[moment == 3 ? i % nodes.size() : i / nodes.size()];
+          const double along = nodes[moment == 3 ? i / nodes.size() : i % nodes.size()];
+          const double shape = is_seen ? 1 : std::legendre(static_cast<unsigned>(degree), 2 * along - 1);
+          for (const Eigen::Index d : {1, 4}) field(static_cast<Eigen::Index>(i), d) = shape * (1 + across);
+        }
+        return field.cwiseProduct(geometric_forces(discrete->shell, stresses, field)).sum();
+      };
+      EXPECT_GT(motion(true), 1e-3) << degree;
+      EXPECT_NEAR(motion(false), 0, 1e-10 * motion(true)) << degree;
+    }
 }
 
 TEST(TangentMatrix, OfTheUndeformedShellIsTheStiffnessOfTheLinearModelToTheLastBit) {

@@ -63,6 +63,7 @@ bool AccuracyLoop::wants_more(const Result& result, const Level& level, const fe
   wants_edges_ = missed_.empty() && !edges_are_known(estimates);
   if (missed_.empty() && !wants_edges_ && (has_witness || is_settled(before))) return false;
   const std::int64_t added = mark(space, estimates);
+  if (wants_edges_ && has_witness && !may_grow_for_edges(level, added, space)) return false;
   const std::string limit = limit_of_meshes(level, added, space);
   if (wants_edges_)
     missed_ = fmt::format("edges of contact zones move by {:.2g} of the zones' size at one degree more",
@@ -71,6 +72,13 @@ bool AccuracyLoop::wants_more(const Result& result, const Level& level, const fe
   give_up(limit);
   if (estimates) missed_ += place_of_error(space, *estimates);
   return false;
+}
+
+bool AccuracyLoop::may_grow_for_edges(const Level& level, std::int64_t added, const fem::Space& space) {
+  const auto unknowns = static_cast<double>(level.unknowns);
+  if (accurate_unknowns_ == 0) accurate_unknowns_ = unknowns;
+  const double next = unknowns * (1 + static_cast<double>(added) / static_cast<double>(space.global_cells));
+  return next <= constants.edge_growth * accurate_unknowns_;
 }
 
 void AccuracyLoop::take_note(const Level& level, const fem::Space& space) {

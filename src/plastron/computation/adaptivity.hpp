@@ -67,6 +67,8 @@ class AccuracyLoop {
   double worst_excess() const;
   /// Changes of a goal from mesh to mesh, the last one first, at most `count`.
   std::vector<double> changes(std::size_t goal, std::size_t count) const;
+  /// Whether the next mesh is small enough to be solved for the edges of contact zones alone.
+  bool may_grow_for_edges(const Level& level, std::int64_t added, const fem::Space& space);
   /// Stores the data of the level judged last.
   void take_note(const Level& level, const fem::Space& space);
   /// Returns the reason why no next mesh with `added` more cells is possible; empty if it is possible (collective).
@@ -89,6 +91,7 @@ class AccuracyLoop {
   /// Whether cells may join. Joined cells may bring back unjudged cells, or errors as large as before.
   bool may_join_;
   bool wants_edges_ = false;              ///< the goals are met, but edges of contact zones are not yet accurate
+  double accurate_unknowns_ = 0;          ///< unknowns of the first mesh on which the goals are met
   double excess_before_ = 0;              ///< excess of the worst goal on the mesh before
   double seconds_to_come_ = 0;            ///< time for the remaining instants, estimated on the mesh judged last
   double largest_solved_ = 0;             ///< largest number of unknowns of a mesh or its witness

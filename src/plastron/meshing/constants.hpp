@@ -56,6 +56,7 @@ struct Constants {
   // End of the loop (accuracy.md, "The loop" and "Edges of contact zones").
   double edge_tolerance = 15;          ///< allowed change of a zone's edge at one degree more [tolerance of the energy]
   double least_edge_tolerance = 1e-3;  ///< its least value [size of the zone]
+  double edge_growth = 2;              ///< unknowns for edges alone [unknowns on which the numbers are accurate]
   double unlimited_decay = 0.9;        ///< a number has no limit if all its last changes are larger [change before]
   std::size_t unlimited_changes = 6;   ///< number of these changes
   double doubtful_decay = 0.7;         ///< the same for a remark where the loop ends for another reason
