@@ -134,6 +134,24 @@ TEST(Accuracy, OfTheEnergyIsThatOfContactEdgesToo) {
   EXPECT_NEAR(sum / length, radius, 1e-3 * radius);
 }
 
+/// The layer at the edge of this zone is a thousandth of the zone: to resolve it costs many times what the numbers cost.
+TEST(Accuracy, OfNumbersEndsTheMeshesThoughEdgesOfZonesWouldCostMuchMore) {
+  problem::Problem p = with_chart(accurate_bowl(1e-3), {"x", "y", "0.0105"});
+  p.domain = domain::Disk{.radius = 1};
+  p.shell.sections.common.thickness = Expression(0.001);
+  p.shell.loads.on_areas = {force(0, 0, -2e-9)};
+  p.discretisation.degree = 4;
+  p.checks_model = false;
+  const Result result = solve(p, MPI_COMM_SELF);
+  EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  const auto is_accurate = [](const Level& level) {
+    return level.seconds.witness > 0 && std::ranges::all_of(level.goals, &estimation::GoalRecord::is_met);
+  };
+  const auto first = std::ranges::find_if(result.levels, is_accurate);
+  ASSERT_NE(first, result.levels.end());
+  EXPECT_LE(result.levels.back().unknowns, 2 * first->unknowns);
+}
+
 TEST(Accuracy, HasAWitnessThatKeepsPointsWhereTheyAreHeld) {
   problem::Problem p = pressed_strip();
   EXPECT_EQ(degrees_of_witness(p), 1);

@@ -42,8 +42,7 @@ Eigen::Vector3d compression(const Eigen::Vector3d& n) {
 
 /// Returns stresses at the sampling points, so that their sum with sampled strains is that with the tied strains.
 Eigen::MatrixXd at_samples(const element::Sampling& sampling, const Eigen::MatrixXd& stresses) {
-  Eigen::MatrixXd sampled =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sampling.basis.xi.size()), stresses.cols());
+  Eigen::MatrixXd sampled = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(sampling.basis.xi.size()), stresses.cols());
   for (Eigen::Index q = 0; q < stresses.rows(); ++q)
     for (const auto& [t, weight] : sampling.to_quadrature[static_cast<std::size_t>(q)])
       sampled.row(t) += weight * stresses.row(q);

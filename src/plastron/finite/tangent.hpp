@@ -30,7 +30,7 @@ Prestress prestress(const assembly::DiscreteShell& discrete, const solution::Nod
 
 /// Applies the geometric stiffness of stresses to (u, r) of a cell's nodes:
 /// int N^{ab} v_a . w_b + M^{ab} (v_a . t_b + w_a . s_b) + Q^a (v_a . t + w_a . s), tied like the strains; but where these are tied,
-/// compressive N are taken at fewer points, so that cells do not buckle in motions that the tied strains do not see.
+/// compressive N, and M, are taken at fewer points, so that cells do not buckle in motions that the tied strains do not see.
 element::CellField geometric_forces(const assembly::ShellOperator& shell, const CellStrain& stresses,
                                     const element::CellField& field);
 
