@@ -37,6 +37,10 @@ class Case:
             self._bodies = self._obstacles()
         return self._bodies
 
+    @property
+    def facet_size(self):
+        return self.frame.length * (0.4 * self.shell.radius if self.shell.is_tube else 0.25)
+
     def random(self, name):
         return random.Random(f"{self.key}/{name}")
 
@@ -161,7 +165,7 @@ class Case:
             return {"plane.msh": gmsh_text(mesh, regions)}
         in_space = lambda patch, x, y: self.frame.point(patch.point(x, y))
         if source == "facets":
-            return {"shell.stl": facets_text(MeshOf(shell, 1, True, in_space, self.frame.length), regions)}
+            return {"shell.stl": facets_text(MeshOf(shell, 1, True, in_space, self.frame.length, divided=3), regions)}
         if source == "inp":
             return {"shell.inp": inp_text(MeshOf(shell, 2, triangles, in_space, self.frame.length), regions)}
         return {"shell.msh": gmsh_text(MeshOf(shell, int(source[-1]), triangles, in_space, self.frame.length), regions)}

@@ -39,12 +39,12 @@ def triangle_places(p, a=0, n=None):
 class MeshOf:
     """Nodes, cells by patch and sides by boundary of a shell, with p intervals along a side of a cell."""
 
-    def __init__(self, shell, p, triangles, place, size):
+    def __init__(self, shell, p, triangles, place, size, divided=1):
         self.p, self.nodes, self._known, self._place, self._tolerance = p, [], {}, place, size * 1e-7
         self.cells, self.sides, self.triangles = {}, {}, triangles
         names = {edge: name for name, edges in shell.boundaries().items() for edge in edges}
         for patch in shell.patches:
-            self._add_patch(patch, shell.cells[0] if patch in shell.base else 1, shell.cells[1], names)
+            self._add_patch(patch, divided * (shell.cells[0] if patch in shell.base else 1), divided * shell.cells[1], names)
 
     def _node(self, patch, x, y):
         point = self._place(patch, x, y)

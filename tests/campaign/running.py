@@ -57,8 +57,10 @@ class Program:
         """Writes the files of a case, runs it, and returns what came out."""
         folder = pathlib.Path(folder)
         folder.mkdir(parents=True)
-        if case.row["source"] == "facets":
-            case.extra.setdefault("curves", self._curves(case, folder))
+        if case.row["source"] == "facets" and "curves" not in case.extra:
+            case.extra["curves"], text = self._curves(case, folder)
+            if not {"start", "end"} <= set(case.extra["curves"]):
+                return Outcome(case, folder, 2, text)
         for name, text in case.all_files().items():
             (folder / name).write_text(text)
         if by == "python":
@@ -71,9 +73,9 @@ class Program:
         return Outcome(case, folder, code, text)
 
     def _curves(self, case, folder):
-        """The curves of facets that lie on each boundary, from the tables of `plastron parts`."""
+        """The curves of facets that are each boundary, from the tables of `plastron parts`, and its text."""
         (folder / "shell.stl").write_text(case.mesh_files()["shell.stl"])
-        code, text = self.call([self.path, "parts", "shell.stl", "--size", str(0.25 * case.frame.length), "--smooth", "40"], folder)
+        code, text = self.call([self.path, "parts", "shell.stl", "--size", str(case.facet_size), "--smooth", "40"], folder)
         number = r"(-?[0-9.e+-]+)"
         point = rf"\({number}, {number}, {number}\)"
         curves = {}
@@ -81,7 +83,7 @@ class Program:
             corners = [float(v) for v in corners]
             for boundary in case.boundaries_of([corners[:3], corners[3:]]):
                 curves.setdefault(boundary, []).append(name)
-        return curves
+        return curves, text
 
 
 class Outcome:

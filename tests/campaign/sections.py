@@ -78,7 +78,7 @@ def geometry(case):
         if not sh.is_tube or sh.is_half:
             lines.append(f"upper = {vector_text(frame.direction([0, 0, 1]))}")
         if source == "facets":
-            lines.append(f"size = {number(0.25 * frame.length)}")
+            lines.append(f"size = {number(case.facet_size)}")
         if source in ("order 1", "facets") and sh.kind != "plate":
             lines.append("smooth = 40")
         return lines
@@ -291,14 +291,15 @@ def _move(case, motion):
     lines = ["[[step.move]]", 'obstacle = "body"']
     if motion == "press":
         return lines + ([f"force = 1.0"] if case.row["pressed"] == "force" else [f"translate = {vector_text(frame.vector(body.way, length=1))}"])
-    if motion == "slide":
-        return lines + [f"translate = {vector_text(frame.vector(times(0.04, body.axes[0]), length=1))}"]
+    if motion == "slide":  # along the tangent, so far that curvature changes the depth by less than the amount
+        way = min(0.04, 0.5 * (case.shell.radius * case.amount)**0.5)
+        return lines + [f"translate = {vector_text(frame.vector(times(way, body.axes[0]), length=1))}"]
     about = vector_text(frame.point(body.origin))
     return lines + [f"rotate = {{ axis = {vector_text(frame.direction(body.axes[1]))}, angle = {number(0.5 * case.amount)}, about = {about} }}"]
 
 
 def probes(case):
-    X = case.shell.base_point(0.31, case.y0 + (0.013 if case.shell.is_half else 0.0))
+    X = case.shell.base_point(0.31, 0.1 if case.is_symmetric else case.y0)  # in the half, too
     points = [[-0.45 + 0.9 * k / 8, case.y0 if case.y0 else 1e-3] for k in range(9)]
     through = ", ".join(vector_text(case.frame.point(case.shell.base_point(*p))) for p in points)
     return ["[[probe]]", 'name = "p"', f"at = {vector_text(case.frame.point(X))}", "[[line]]", 'name = "l"', f"through = [{through}]", "points = 25"]
