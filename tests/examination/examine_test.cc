@@ -127,6 +127,27 @@ TEST(Examination, finds_a_shell_thicker_than_its_curvature_allows) {
   EXPECT_THAT(warnings(p), ElementsAre(HasSubstr("reaches 0.99")));
 }
 
+TEST(Examination, says_where_a_soft_core_leaves_its_faces_alone) {
+  const auto steel = shell::Orthotropic::isotropic(1, 0.3);
+  for (const auto& [modulus, is_soft] : {std::pair(0.1, false), std::pair(1e-3, false), std::pair(1e-6, true)}) {
+    const auto foam = shell::Orthotropic::isotropic(modulus, 0.3);
+    problem::Problem p = cantilever_plate();
+    p.shell.sections.common.thickness = geometry::Expression(0.05);
+    p.shell.sections.common.material = {
+        .law = std::make_shared<const shell::Laminate>(
+            std::vector{shell::Layer{.material = steel}, shell::Layer{.material = foam, .part = 8},
+                        shell::Layer{.material = steel}},
+            Eigen::Vector3d::UnitX()),
+        .shear_correction = 5.0 / 6};
+    const auto found = texts(p, Severity::warning);
+    if (is_soft) {
+      EXPECT_THAT(found, ElementsAre(HasSubstr("one director does not describe this section")));
+    } else {
+      EXPECT_THAT(found, IsEmpty()) << modulus;
+    }
+  }
+}
+
 TEST(Examination, finds_where_the_direction_of_a_material_is_normal_to_the_shell) {
   const shell::Orthotropic wood{.E1 = 10, .E2 = 1, .nu12 = 0.3, .G12 = 1, .G13 = 1, .G23 = 0.1};
   problem::Problem p = cantilever_plate();

@@ -174,6 +174,46 @@ TEST(LaminateStress, IntegratesToTheResultants) {
     }
 }
 
+TEST(Laminate, HasTheShearStiffnessWithTheEnergyOfItsShearStresses) {
+  for (int seed = 0; seed < 20; ++seed) {
+    SectionForces f = laminate_forces(seed);
+    const double more = std::sin(seed + 0.5);
+    std::vector<Layer> stack = layers(carbon, {20 + 90 * more, -60, 90 * std::cos(seed)});
+    stack[1].part = 1 + more;
+    if (seed % 2 == 0)
+      stack[1].material = Orthotropic{.E1 = 0.1, .E2 = 0.2, .nu12 = 0.1, .G12 = 0.1, .G13 = 0.02, .G23 = 0.01};
+    f.laminate = std::make_shared<const LaminateSection>(std::make_shared<const Laminate>(stack, Vector3d(1, more, 0)),
+                                                         plane(), f.thickness, 5.0 / 6, 0);
+    const auto energy = over_layers(f, [&](std::size_t k, double z) {
+      const Eigen::Vector2d own = stress_of(f.laminate->stress_in_layer_axes(k, z), f).shear;
+      const Orthotropic& m = stack[k].material;
+      return Eigen::Matrix<double, 1, 1>(own[0] * own[0] / m.G13 + own[1] * own[1] / m.G23);
+    });
+    const double expected = f.Q.dot(f.laminate->section().shear.llt().solve(f.Q));
+    EXPECT_NEAR(energy[0], expected, 1e-12 * expected) << seed;
+  }
+}
+
+TEST(Laminate, LetsItsFacesBendAloneOnlyOnASoftCore) {
+  const Orthotropic steel = Orthotropic::isotropic(200, 0);
+  for (const double soft : {1e-4, 1e-3, 0.02}) {
+    const Orthotropic foam = Orthotropic::isotropic(soft, 0);
+    const Laminate one({{.material = steel, .part = 1}, {.material = foam, .part = 8}, {.material = steel, .part = 1}},
+                       {1, 0, 0});
+    const double S = soft / 2 * 0.9 * 0.9 / 0.8, bending = 200 * 2 * std::pow(0.1, 3) / 12;
+    EXPECT_NEAR(one.face_length(), std::sqrt(bending / S), 0.01 * one.face_length());
+    // A face in two layers is the same face.
+    const Laminate split({{.material = steel, .part = 0.5},
+                          {.material = steel, .part = 0.5},
+                          {.material = foam, .part = 8},
+                          {.material = steel, .part = 1}},
+                         {1, 0, 0});
+    EXPECT_NEAR(split.face_length(), one.face_length(), 1e-12);
+  }
+  EXPECT_EQ(Laminate(layers(carbon, {0, 90, 45}), {1, 0, 0}).face_length(), 0);
+  EXPECT_EQ(Laminate({{.material = steel}, {.material = Orthotropic::isotropic(70, 0.3)}}, {1, 0, 0}).face_length(), 0);
+}
+
 TEST(LaminateStress, OfTransverseShearVanishesOnTheFacesAndIsContinuous) {
   const SectionForces f = laminate_forces(3);
   const auto shear = [&](std::size_t k, double z) { return stress_of(f.laminate->stress(k, z), f).shear; };

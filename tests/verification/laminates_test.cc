@@ -47,10 +47,34 @@ struct Stiffness {
   Eigen::Vector2d S = Eigen::Vector2d::Zero();
 };
 
-/// The stiffness of carbon_layers() by textbook formulas: invariants of the turned plane-stress law.
+/// Shear stiffness along the direction in which layers have the stiffness Q11 and the modulus G, for Q_1 alone and a law without
+/// shear coupling: the energy of the stresses that balance d_1 sigma_11. `strains`: gamma, chi for d_1 M_11 = 1.
+double shear_stiffness(const std::vector<Eigen::Vector3d>& rows, const std::vector<double>& moduli,
+                       const Eigen::Matrix<double, 6, 1>& strains, double h) {
+  const double height = h / static_cast<double>(rows.size());
+  constexpr int intervals = 200;  // Simpson's rule in each layer
+  double compliance = 0, below = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double low = -h / 2 + static_cast<double>(k) * height;
+    const auto stress = [&](double z) {
+      return below - rows[k].dot(strains.head<3>() * (z - low) + strains.tail<3>() * (z * z - low * low) / 2);
+    };
+    for (int i = 0; i <= intervals; ++i) {
+      const double weight = i == 0 || i == intervals ? 1 : i % 2 == 1 ? 4 : 2;
+      compliance += weight * height / (3 * intervals) * std::pow(stress(low + height * i / intervals), 2) / moduli[k];
+    }
+    below = stress(low + height);
+  }
+  return 1 / compliance;
+}
+
+/// The stiffness of carbon_layers() by textbook formulas: invariants of the turned plane-stress law. The shear stiffness is that
+/// of a cross-ply; its axes are those of the layers, also for [45/-45].
 Stiffness textbook(const std::vector<double>& degrees, double h, double k_s) {
   const double common = 1 - 0.25 * 0.25 / 25, Q11 = 25 / common, Q22 = 1 / common, Q12 = 0.25 / common, Q66 = 0.5;
   Stiffness s;
+  std::vector<Eigen::Vector3d> rows1, rows2;  // of each layer, along the first and the second axis
+  std::vector<double> G1, G2;
   const double height = h / static_cast<double>(degrees.size());
   for (std::size_t k = 0; k < degrees.size(); ++k) {
     const double c = std::cos(degrees[k] * pi / 180), n = std::sin(degrees[k] * pi / 180);
@@ -68,8 +92,21 @@ Stiffness textbook(const std::vector<double>& degrees, double h, double k_s) {
     s.A += height * q;
     s.B += (high * high - low * low) / 2 * q;
     s.D += (high * high * high - low * low * low) / 3 * q;
-    s.S += k_s * height * Eigen::Vector2d(0.5 * c * c + 0.2 * n * n, 0.5 * n * n + 0.2 * c * c);
+    rows1.emplace_back(q.row(0).transpose());
+    rows2.emplace_back(q.row(1).transpose());
+    G1.push_back(0.5 * c * c + 0.2 * n * n);
+    G2.push_back(0.5 * n * n + 0.2 * c * c);
   }
+  if (degrees == std::vector<double>{45, -45}) {
+    s.S = textbook({0, 90}, h, k_s).S;
+    return s;
+  }
+  Eigen::Matrix<double, 6, 6> all;
+  all << s.A, s.B, s.B, s.D;
+  const Eigen::Matrix<double, 6, 6> compliance = all.inverse();
+  s.S = 6 * k_s / 5 *
+        Eigen::Vector2d(shear_stiffness(rows1, G1, compliance.col(3), h),
+                        shear_stiffness(rows2, G2, compliance.col(4), h));
   return s;
 }
 
@@ -132,7 +169,6 @@ at = [0.5, 0.5]
 TEST(NavierPlate, OfAntisymmetricCrossPlyHasTheDeflectionAndTheStressesOfTheLayers) {
   const double h = 0.1;
   const auto exact = navier(textbook({0, 90}, h, 5.0 / 6), true);
-  EXPECT_NEAR(100 * exact[2] * h * h * h, 1.2373, 1e-4);  // Reddy's table
   const auto result = solved(plate(carbon_layers({0, 90}), h, true));
   const recovery::PointValues& centre = result.probes.at(0).values;
   EXPECT_NEAR(centre.u[2], exact[2], 1e-7 * exact[2]);
@@ -160,6 +196,15 @@ TEST(NavierPlate, OfAntisymmetricAngleAndOfSymmetricCrossPlyHasTheDeflection) {
     const auto cross = navier(textbook({0, 90, 90, 0}, h, 5.0 / 6), true);
     EXPECT_NEAR(solved(plate(carbon_layers({0, 90, 90, 0}), h, true)).probes.at(0).values.u[2], cross[2],
                 1e-6 * cross[2]);
+  }
+}
+
+// N. J. Pagano and S. J. Hatfield, AIAA J. 10, 931-933, 1972: three-dimensional elasticity for sinusoidal loads. With 5/6 of the
+// sum of the layers' moduli the deflections are 12, 11 and 5 % too small.
+TEST(NavierPlate, IsNearThreeDimensionalElasticity) {
+  for (const auto& [h, exact] : {std::pair(0.25, 1.954), std::pair(0.1, 0.743), std::pair(0.05, 0.517)}) {
+    const double w = navier(textbook({0, 90, 90, 0}, h, 5.0 / 6), true)[2];
+    EXPECT_NEAR(100 * w * h * h * h, exact, 0.03 * exact) << h;
   }
 }
 
@@ -285,6 +330,169 @@ at = [1, 0]
     const double expected = p * R * R / (modulus * e);
     EXPECT_NEAR(std::abs(result.probes.at(0).values.u[1]), expected, 2e-4 * expected) << angle;
   }
+}
+
+std::string sandwich(double face, double core, double modulus, const std::string& more) {
+  return fmt::format(R"case([[material]]
+name = "al"
+E = 70000
+nu = 0
+[[material]]
+name = "foam"
+E1 = 50
+E2 = 50
+nu12 = 0
+G12 = 20
+G13 = {2}
+G23 = {2}
+[[material]]
+name = "sandwich"
+layers = [{{ material = "al", thickness = {0} }}, {{ material = "foam", thickness = {1} }}, {{ material = "al", thickness = {0} }}]
+[shell]
+material = "sandwich"
+thickness = {3}
+{4}
+[geometry]
+domain = {{ rectangle = {{ to = [500, 50], cells = [4, 1] }} }}
+chart = ["x", "y", "0"]
+[mesh]
+degree = 4
+refinements = 0
+[[support]]
+boundary = "left"
+fix = ["u"]
+[[support]]
+boundary = "right"
+fix = ["u.z"]
+[[load]]
+force = [0, 0, -0.002]
+[[probe]]
+name = "mid"
+at = [250, 25]
+)case",
+                     face, core, modulus, face * 2 + core, more);
+}
+
+// A hinged strip with thin faces on a soft core: w = 5 q L^4 / (384 D) + q L^2 / (8 S), and S is nearly G d^2 / c with the
+// distance d of the faces' middles and the thickness c of the core.
+TEST(Sandwich, DeflectsByTheShearOfItsCore) {
+  for (const auto& [face, core, modulus] :
+       {std::array{1.0, 20.0, 20.0}, std::array{0.5, 20.0, 5.0}, std::array{1.0, 8.0, 60.0}}) {
+    const double d = face + core, D = 70000 * face * (d * d / 2 + face * face / 6) + 50 * std::pow(core, 3) / 12,
+                 bending = 5 * 0.002 * std::pow(500, 4) / (384 * D),
+                 shear = 0.002 * 500 * 500 / (8 * modulus * d * d / core);
+    for (const char* more : {"", "shear_correction = \"5/6\""}) {
+      const auto result = solved(sandwich(face, core, modulus, more));
+      EXPECT_NEAR(-result.probes.at(0).values.u[2], bending + shear, 0.005 * shear) << face << ' ' << core << more;
+    }
+  }
+}
+
+// NAFEMS, Composite Benchmarks, R0031, test 3: a sandwich plate under a constant pressure. Stresses in the middle of the lower face.
+TEST(Sandwich, OfNafemsHasTheDeflectionAndTheStresses) {
+  const auto result = solved(R"case([[material]]
+name = "face"
+E1 = 1e7
+E2 = 4e6
+nu12 = 0.3
+G12 = 1.875e6
+G13 = 1.875e6
+G23 = 1.875e6
+[[material]]
+name = "core"
+E1 = 10
+E2 = 10
+nu12 = 0
+G12 = 10
+G13 = 3e4
+G23 = 1.2e4
+[[material]]
+name = "sandwich"
+layers = [{ material = "face", thickness = 0.028 }, { material = "core", thickness = 0.75 }, { material = "face", thickness = 0.028 }]
+[shell]
+material = "sandwich"
+thickness = 0.806
+[geometry]
+domain = { rectangle = { to = [5, 5], cells = [4, 4] } }
+chart = ["x", "y", "0"]
+[mesh]
+degree = 4
+refinements = 0
+[output]
+axis = [1, 0, 0]
+[[support]]
+boundary = ["left", "bottom"]
+fix = ["symmetry"]
+[[support]]
+boundary = ["right", "top"]
+fix = ["u.t", "u.z", "r.t"]
+[[load]]
+force = [0, 0, -100]
+[[probe]]
+name = "centre"
+at = [0, 0]
+[[probe]]
+name = "corner"
+at = [5, 5]
+)case");
+  const recovery::PointValues &centre = result.probes.at(0).values, &corner = result.probes.at(1).values;
+  EXPECT_NEAR(centre.u[2], -0.123, 0.001);
+  const auto stress = shell::in_plane_stress(section_forces(centre), -0.389);
+  EXPECT_NEAR(stress[0], 34449, 0.02 * 34449);
+  EXPECT_NEAR(stress[1], 13390, 0.04 * 13390);
+  EXPECT_NEAR(std::abs(shell::in_plane_stress(section_forces(corner), -0.389)[2]), 5067.5, 0.02 * 5067.5);
+}
+
+// NAFEMS, Composite Benchmarks, R0031, test 1: a strip of seven plies on two supports under a line load in the middle; a half.
+TEST(LaminatedStrip, OfNafemsHasTheDeflectionAndTheStresses) {
+  std::string text = R"case([[material]]
+name = "ply"
+E1 = 100e3
+E2 = 5e3
+nu12 = 0.4
+G12 = 3e3
+G13 = 3e3
+G23 = 2e3
+[[material]]
+name = "stack"
+)case";
+  for (int ply = 0; ply < 7; ++ply)
+    text += fmt::format("[[material.layers]]\nmaterial = \"ply\"\nthickness = {}\nangle = {}\n", ply == 3 ? 0.4 : 0.1,
+                        ply % 2 == 0 ? 0 : 90);
+  const auto result = solved(text + R"case([shell]
+material = "stack"
+thickness = 1
+[geometry]
+domain = { rectangle = { to = [15, 10], cells = [4, 3] } }
+chart = ["x", "y", "0"]
+[mesh]
+degree = 4
+refinements = 0
+[output]
+axis = [1, 0, 0]
+[[support]]
+boundary = "left"
+fix = ["symmetry"]
+[[support]]
+boundary = "right"
+fix = ["u.z"]
+[[support]]
+point = [0, 5]
+fix = ["u.y"]
+[[load]]
+boundary = "left"
+force = [0, 0, -5]
+[[probe]]
+name = "middle"
+at = [0, 5]
+[[probe]]
+name = "quarter"
+at = [7.5, 5]
+)case");
+  const recovery::PointValues &middle = result.probes.at(0).values, &quarter = result.probes.at(1).values;
+  EXPECT_NEAR(middle.u[2], -1.06, 0.01);
+  EXPECT_NEAR(shell::in_plane_stress(section_forces(middle), -0.5)[0], 683.9, 0.01 * 683.9);
+  EXPECT_NEAR(std::abs(shell::shear_stress(section_forces(quarter), -0.4)[0]), 4.1, 0.01 * 4.1);
 }
 
 /// A strip clamped at x = -1 and 1, pressed by q on a floor at the distance g below it. Between -c and c it lies on the

@@ -33,7 +33,8 @@ Section shell_section() {
        key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
            "mass per volume, for the weight of the shell, see [gravity], and for natural frequencies, see [modes]"),
        key("shear_correction", &Material::shear_correction, {.fallback = "1", .range = Range::positive(2)},
-           "factor of the transverse shear energy: 1 as in the paper, or 5/6"),
+           "factor of the transverse shear energy: 1 as in the paper, or 5/6. Several layers without this key have "
+           "5/6: their shear stiffness is then the one of equilibrium through the thickness"),
        key("formulation", &Tangency::formulation,
            {{"tangent", Formulation::tangent},
             {"penalised", Formulation::penalised},
@@ -146,6 +147,14 @@ void read_material(Table& table, const std::string& header, Material& material) 
   }
 }
 
+/// Sets the shear correction where [shell] does not give it. A section of several layers has no factor of its own.
+void choose_shear_correction(const Table& root, Material& material) {
+  const std::optional<toml::value> shell = root.value("shell");
+  if (shell && shell->is_table() && shell->as_table().count("shear_correction") > 0) return;
+  const auto laminate = material.laminate();
+  material.shear_correction = laminate && laminate->layers().size() > 1 ? 5.0 / 6 : Material{}.shear_correction;
+}
+
 /// Reads a cross-section of a region. Its initial values are the values of [shell].
 void read_own(Table& region, CrossSection& section) {
   if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density"))
@@ -193,6 +202,7 @@ void read_shell(Table& root, problem::Problem& problem) {
     shell.fill(section);
     shell.fill(problem.shell.tangency);
     shell.fill(problem.shell);
+    choose_shear_correction(root, section.material);
   });
 }
 
@@ -236,6 +246,7 @@ void read_regions(Table& root, problem::Problem& problem) {
     const auto name = region.known_name("name", "region", root.reading().regions());
     CrossSection section = problem.shell.sections.common;
     read_own(region, section);
+    choose_shear_correction(root, section.material);
     if (name && !problem.shell.sections.regions.emplace(*name, std::move(section)).second)
       region.report("name", fmt::format("two [[region]] are named \"{}\"", *name), "",
                     "write all that it has in one of them");

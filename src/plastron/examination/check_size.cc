@@ -1,4 +1,5 @@
-// Checks elements and thickness: where elements without tying lock, and where rounding hides the solution.
+// Checks elements and thickness: where elements without tying lock, where rounding hides the solution, and where one director
+// does not describe a laminate.
 #include <plastron/computation/warnings.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/meshing/sizes.hpp>
@@ -12,6 +13,28 @@ namespace plastron::examination {
 void check_locking(Examined& examined) {
   for (const std::string& warning : computation::locking_warnings(examined.problem))
     examined.add(Severity::warning, "{}", warning);
+}
+
+void check_soft_layers(Examined& examined) {
+  constexpr double notable = 0.1;  // part of the size: a span of this size then deflects about 5 % too much
+  double worst = 0;
+  const std::vector<Eigen::Vector2d> middle{mesh::centre(examined.space->shape())};
+  std::vector<double> e(1);
+  for (const fem::Cell& cell : examined.space->cells) {
+    const auto& section = examined.problem.shell.sections.at(*examined.space->coarse, cell);
+    const auto laminate = section.material.laminate();
+    if (!laminate) continue;
+    examined.surface->evaluate(section.thickness, cell, middle, e);
+    worst = std::max(worst, e[0] * laminate->face_length());
+  }
+  if (worst <= notable * examined.size) return;
+  examined.add(
+      Severity::warning,
+      "the soft layers of a laminate let its faces bend each on its own over {:.3g} m, and the shell is only about "
+      "{:.3g} m wide: one director does not describe this section, displacements are too large and bending of the "
+      "faces is "
+      "missing; use a stiffer core, or a solid or layerwise program",
+      worst, 2 * examined.size);
 }
 
 void check_weight(Examined& examined) {

@@ -95,6 +95,8 @@ void check_inside_cells(Examined& examined);
 void check_weight(Examined& examined);
 /// Checks that elements do not lock.
 void check_locking(Examined& examined);
+/// Checks that one director describes laminates with soft layers.
+void check_soft_layers(Examined& examined);
 /// Checks that double precision is sufficient for such a thin shell on the finest mesh.
 void check_precision(Examined& examined);
 /// Returns the relative effect of rounding on forces and energy where a shell bends: the order of magnitude.

@@ -1,6 +1,10 @@
 #include <plastron/shell/laminate.hpp>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -49,8 +53,6 @@ Section unit_section(const std::vector<Layer>& layers, const std::vector<double>
     s.membrane += height * c;
     s.coupling += height * middle * c;
     s.bending += height * (middle * middle + height * height / 12) * c;
-    s.shear +=
-        height * (axes.transpose() * Eigen::Vector2d(layer.material.G13, layer.material.G23).asDiagonal() * axes);
     s.initial_force += height * initial;
     s.initial_moment += height * middle * initial;
   }
@@ -67,7 +69,74 @@ double mean_over(const std::vector<Layer>& layers, const Value& value) {
   return sum / parts;
 }
 
+/// Returns the turn from the laminate's axes to the axes of bending: the direction of the largest bending stiffness, by its part of
+/// period pi, or pi/2 where the first vanishes. They do not depend on the axes in which the layers are described.
+double angle_of_bending(const Matrix3d& d) {
+  constexpr double rounding = 1e-9;
+  const double least = rounding * (d(0, 0) + d(1, 1));
+  const double a2 = (d(0, 0) - d(1, 1)) / 2, b2 = d(0, 2) + d(1, 2);
+  if (std::hypot(a2, b2) > least) return std::atan2(b2, a2) / 2;
+  const double a4 = (d(0, 0) + d(1, 1) - 2 * d(0, 1) - 4 * d(2, 2)) / 8, b4 = (d(0, 2) - d(1, 2)) / 2;
+  return std::hypot(a4, b4) > least ? std::atan2(b4, a4) / 4 : 0;
+}
+
+/// Returns A, B, D of strains in other axes.
+Eigen::Matrix<double, 6, 6> in_other_axes(const Eigen::Matrix<double, 6, 6>& in_plane, const Matrix2d& axes) {
+  // The inverse of the map of strains: axes are orthonormal.
+  const Matrix3d back = strain_map(axes.transpose());
+  Eigen::Matrix<double, 6, 6> both = Eigen::Matrix<double, 6, 6>::Zero();
+  both.topLeftCorner<3, 3>() = both.bottomRightCorner<3, 3>() = back;
+  return both.transpose() * in_plane * both;
+}
+
 }  // namespace
+
+TransverseShear::TransverseShear(const std::vector<Layer>& layers, const std::vector<double>& interfaces,
+                                 const Eigen::Matrix<double, 6, 6>& in_plane)
+    : interfaces_(interfaces),
+      axes_(turned(angle_of_bending(in_plane.bottomRightCorner<3, 3>()))),
+      compliance_(in_other_axes(in_plane, axes_).llt().solve(Eigen::Matrix<double, 6, 6>::Identity())) {
+  Matrix2d below = Matrix2d::Zero();
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const Matrix2d own = turned(layers[k].angle) * axes_.transpose();
+    const Matrix3d map = strain_map(own);
+    const Eigen::Vector2d moduli(layers[k].material.G13, layers[k].material.G23);
+    plies_.push_back({.stiffness = map.transpose() * layers[k].material.in_plane() * map,
+                      .moduli = own.transpose() * moduli.asDiagonal() * own,
+                      .at_interface = below});
+    below += gain(plies_.back(), interfaces_[k], interfaces_[k + 1]);
+  }
+}
+
+Matrix2d TransverseShear::gain(const Ply& ply, double from, double to) const {
+  Matrix2d gain;
+  for (int a = 0; a < 2; ++a) {
+    const Vector3d gamma = compliance_.col(3 + a).head<3>(), chi = compliance_.col(3 + a).tail<3>();
+    const Vector3d stress = ply.stiffness * ((to - from) * gamma + (to * to - from * from) / 2 * chi);
+    gain(a, a) = -stress[a];
+    gain(1 - a, a) = -stress[2];
+  }
+  return gain;
+}
+
+Matrix2d TransverseShear::stress(std::size_t layer, double z) const {
+  return axes_.transpose() * stress_in_bending_axes(layer, z) * axes_;
+}
+
+Matrix2d TransverseShear::stiffness() const {
+  const double away = std::sqrt(0.6) / 2;
+  // Parts of the height and weights of Gauss points: the integrand has degree 4.
+  const std::array<std::pair<double, double>, 3> points{
+      {{0.5 - away, 5.0 / 18}, {0.5, 4.0 / 9}, {0.5 + away, 5.0 / 18}}};
+  Matrix2d compliance = Matrix2d::Zero();
+  for (std::size_t k = 0; k < plies_.size(); ++k)
+    for (const auto& [part, weight] : points) {
+      const double height = interfaces_[k + 1] - interfaces_[k];
+      const Matrix2d stress = stress_in_bending_axes(k, interfaces_[k] + part * height);
+      compliance += weight * height * (stress.transpose() * plies_[k].moduli.llt().solve(stress));
+    }
+  return axes_.transpose() * compliance.inverse() * axes_;
+}
 
 bool Orthotropic::is_positive_definite() const {
   return std::min({E1, E2, G12, G13, G23}) > 0 && nu12 * nu12 * E2 < E1;
@@ -87,7 +156,11 @@ Laminate::Laminate(std::vector<Layer> layers, const Vector3d& direction)
     : layers_(std::move(layers)),
       interfaces_(interfaces_of(layers_)),
       direction_(direction.normalized()),
-      unit_(unit_section(layers_, interfaces_)) {}
+      unit_(unit_section(layers_, interfaces_)),
+      transverse_shear_(layers_, interfaces_, unit_.in_plane()) {
+  constexpr double homogeneous = 5.0 / 6;  // energy of the parabola against that of its mean
+  unit_.shear = transverse_shear_.stiffness() / homogeneous;
+}
 
 double Laminate::young() const {
   return mean_over(layers_, [](const Orthotropic& m) { return (m.E1 + m.E2) / 2; });
@@ -95,6 +168,35 @@ double Laminate::young() const {
 
 double Laminate::shear_modulus() const {
   return mean_over(layers_, [](const Orthotropic& m) { return (m.G13 + m.G23) / 2; });
+}
+
+// Faces are the parts between soft layers. With D_f the sum of their bending stiffnesses about their own middles and S the
+// shear stiffness, the deflection that neither bends the faces nor shears the core decays over sqrt(D_f / S).
+double Laminate::face_length() const {
+  constexpr double soft = 0.1;  // part of the largest shear modulus
+  const auto modulus = [&](std::size_t k) { return std::min(layers_[k].material.G13, layers_[k].material.G23); };
+  double largest = 0;
+  for (std::size_t k = 0; k < layers_.size(); ++k) largest = std::max(largest, modulus(k));
+  double bending = 0;
+  bool has_soft_layer = false;
+  for (std::size_t k = 0; k < layers_.size();) {
+    if (modulus(k) < soft * largest) {
+      has_soft_layer = true;
+      ++k;
+      continue;
+    }
+    double stiffness = 0, moment = 0, second = 0;
+    for (; k < layers_.size() && modulus(k) >= soft * largest; ++k) {
+      const double height = interfaces_[k + 1] - interfaces_[k], middle = (interfaces_[k + 1] + interfaces_[k]) / 2;
+      const double along = height * std::max(layers_[k].material.E1, layers_[k].material.E2);
+      stiffness += along;
+      moment += along * middle;
+      second += along * (middle * middle + height * height / 12);
+    }
+    bending += second - moment * moment / stiffness;
+  }
+  const Eigen::Vector2d shear = Eigen::SelfAdjointEigenSolver<Matrix2d>(transverse_shear_.stiffness()).eigenvalues();
+  return has_soft_layer ? std::sqrt(bending / shear[0]) : 0;
 }
 
 bool Laminate::has_axes(const Vector3d& a3) const {
@@ -124,21 +226,17 @@ LaminateSection::LaminateSection(std::shared_ptr<const Laminate> laminate, const
                                  double thickness, double shear_correction, double load_factor)
     : laminate_(std::move(laminate)),
       thickness_(thickness),
-      section_(laminate_->section(laminate_->axes(axes), thickness, shear_correction)),
+      axes_(laminate_->axes(axes)),
+      section_(laminate_->section(axes_, thickness, shear_correction)),
       compliance_(section_.in_plane().llt().solve(Eigen::Matrix<double, 6, 6>::Identity())) {
   section_.initial_force *= load_factor;
   section_.initial_moment *= load_factor;
-  const Matrix2d first = laminate_->axes(axes);
-  Matrix2d shear = Matrix2d::Zero();
-  for (std::size_t k = 0; k < laminate_->layers().size(); ++k) {
-    const Layer& layer = laminate_->layers()[k];
-    const Matrix2d own = turned(layer.angle) * first;
+  for (const Layer& layer : laminate_->layers()) {
+    const Matrix2d own = turned(layer.angle) * axes_;
     const Matrix3d map = strain_map(own), c = layer.material.in_plane();
-    const Ply& ply = plies_.emplace_back(Ply{.stiffness = map.transpose() * c * map,
-                                             .initial_stress = load_factor * (map.transpose() * (c * layer.strain)),
-                                             .axes = own,
-                                             .shear_at_interface = shear});
-    shear += shear_gain(ply, interface(k), interface(k + 1));
+    plies_.push_back({.stiffness = map.transpose() * c * map,
+                      .initial_stress = load_factor * (map.transpose() * (c * layer.strain)),
+                      .axes = own});
   }
 }
 
@@ -149,24 +247,12 @@ std::size_t LaminateSection::layer_at(double z) const {
   return k;
 }
 
-// If only Q_1 acts, then d_1 M_11 = Q_1, and no other resultant changes: the strains change by column 11 of the bending
-// part of the compliance. Equilibrium d_1 sigma_1a + d_3 sigma_a3 = 0 gives the shear stress by integration over z.
-Matrix2d LaminateSection::shear_gain(const Ply& ply, double from, double to) const {
-  Matrix2d gain;
-  for (int a = 0; a < 2; ++a) {
-    const Vector3d gamma = compliance_.col(3 + a).head<3>(), chi = compliance_.col(3 + a).tail<3>();
-    const Vector3d stress = ply.stiffness * ((to - from) * gamma + (to * to - from * from) / 2 * chi);
-    gain(a, a) = -stress[a];
-    gain(1 - a, a) = -stress[2];
-  }
-  return gain;
-}
-
 StressMap LaminateSection::stress(std::size_t layer, double z) const {
   const Ply& ply = plies_[layer];
   StressMap s;
   s.map.topLeftCorner<3, 6>() = ply.stiffness * (compliance_.topRows<3>() + z * compliance_.bottomRows<3>());
-  s.map.bottomRightCorner<2, 2>() = ply.shear_at_interface + shear_gain(ply, interface(layer), z);
+  s.map.bottomRightCorner<2, 2>() =
+      axes_.transpose() * laminate_->transverse_shear().stress(layer, z / thickness_) * axes_ / thickness_;
   s.constant.head<3>() = s.map.topLeftCorner<3, 6>() * section_.initial_resultants().head<6>() - ply.initial_stress;
   return s;
 }

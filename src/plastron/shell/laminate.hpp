@@ -1,6 +1,7 @@
 // Laminates: orthotropic layers, bonded over the whole thickness. The strains are Naghdi's, linear in the height z.
 // Each layer has its own plane-stress stiffness. Classical lamination theory with transverse shear: Reddy, Mechanics of
-// Laminated Composite Plates and Shells, 2nd edition, CRC Press 2004, chapters 1 to 3.
+// Laminated Composite Plates and Shells, 2nd edition, CRC Press 2004, chapters 1 to 3. Transverse shear stresses and the
+// stiffness against them follow from equilibrium through the thickness (docs/methods/laminates.md).
 #pragma once
 #include <plastron/geometry/frame.hpp>
 #include <plastron/shell/section.hpp>
@@ -41,6 +42,37 @@ struct StressMap {
   Eigen::Matrix<double, 5, 1> constant = Eigen::Matrix<double, 5, 1>::Zero();
 };
 
+/// Transverse shear stresses of a laminate of thickness 1. If only Q_1 acts in the axes of bending, then d_1 M_11 = Q_1, and no
+/// other resultant changes. Equilibrium d_1 sigma_1a + d_3 sigma_a3 = 0 gives the stress by integration over z.
+class TransverseShear {
+ public:
+  /// `interfaces`: heights between layers, with both faces. `in_plane`: A, B, D in the laminate's axes.
+  TransverseShear(const std::vector<Layer>& layers, const std::vector<double>& interfaces,
+                  const Eigen::Matrix<double, 6, 6>& in_plane);
+
+  /// Returns the map of Q to (sigma_13, sigma_23) at a height in a layer, both in the laminate's axes.
+  Eigen::Matrix2d stress(std::size_t layer, double z) const;
+  /// Returns the stiffness with the energy of these stresses, Q . F Q / 2 = Q . S^{-1} Q / 2, in the laminate's axes.
+  Eigen::Matrix2d stiffness() const;
+
+ private:
+  struct Ply {
+    Eigen::Matrix3d stiffness;     // of strains in the axes of bending
+    Eigen::Matrix2d moduli;        // of transverse shear, likewise
+    Eigen::Matrix2d at_interface;  // maps Q to the stress at the interface below, likewise
+  };
+  /// Maps Q to the change of the stress in a ply between two heights, in the axes of bending.
+  Eigen::Matrix2d gain(const Ply& ply, double from, double to) const;
+  Eigen::Matrix2d stress_in_bending_axes(std::size_t layer, double z) const {
+    return plies_[layer].at_interface + gain(plies_[layer], interfaces_[layer], z);
+  }
+
+  std::vector<double> interfaces_;
+  Eigen::Matrix2d axes_;  // axes of bending in the laminate's axes
+  Eigen::Matrix<double, 6, 6> compliance_;
+  std::vector<Ply> plies_{};
+};
+
 class Laminate {
  public:
   /// `layers`: from the lower to the upper face, at least one. `direction`: its projection on the tangent plane is the
@@ -55,12 +87,17 @@ class Laminate {
   /// Returns the mean of G13 and G23 of all layers [Pa].
   double shear_modulus() const;
   bool has_initial_strains() const { return unit_.has_initial_strains(); }
+  const TransverseShear& transverse_shear() const { return transverse_shear_; }
+  /// Returns the length over which stiff faces on soft layers bend each on its own, as a part of the thickness; 0 without soft
+  /// layers. One director describes the section only where strains change over much longer distances.
+  double face_length() const;
 
   /// Returns whether the direction has a projection: whether its angle to the normal has a sine of at least 0.01.
   bool has_axes(const Vector3d& a3) const;
   /// Returns the components of the laminate's axes 1, 2 (rows) along the frame's a_1, a_2. Precondition: has_axes().
   Eigen::Matrix2d axes(const geometry::Frame& frame) const;
-  /// Returns the cross-section in the components of `axes`.
+  /// Returns the cross-section in the components of `axes`. `shear_correction`: 5/6 for the shear stiffness from
+  /// equilibrium, as in a homogeneous section.
   Section section(const Eigen::Matrix2d& axes, double thickness, double shear_correction) const;
 
  private:
@@ -68,6 +105,7 @@ class Laminate {
   std::vector<double> interfaces_;
   Vector3d direction_;
   Section unit_;  // thickness 1, shear correction 1, in the laminate's axes
+  TransverseShear transverse_shear_;
 };
 
 /// A laminate at a point, in orthonormal axes, with what its stresses need.
@@ -85,7 +123,7 @@ class LaminateSection {
   /// Returns the layer that contains the height z. Of two it is the one nearer to the mid-surface.
   std::size_t layer_at(double z) const;
   /// Returns the stresses of a layer at the height z: in-plane stresses from the strains, transverse shear from
-  /// equilibrium in each direction (docs/methods/stresses.md).
+  /// equilibrium (TransverseShear).
   StressMap stress(std::size_t layer, double z) const;
   /// Returns the same in the layer's own axes.
   StressMap stress_in_layer_axes(std::size_t layer, double z) const;
@@ -94,14 +132,12 @@ class LaminateSection {
   struct Ply {
     Eigen::Matrix3d stiffness;
     Vector3d initial_stress;
-    Eigen::Matrix2d axes;                // the layer's axes in the section's axes
-    Eigen::Matrix2d shear_at_interface;  // maps Q to the transverse shear stress at the interface below
+    Eigen::Matrix2d axes;  // the layer's axes in the section's axes
   };
-  /// Maps Q to the change of the transverse shear stress from the interface below to z.
-  Eigen::Matrix2d shear_gain(const Ply& ply, double from, double to) const;
 
   std::shared_ptr<const Laminate> laminate_;
   double thickness_;
+  Eigen::Matrix2d axes_;  // the laminate's axes in the section's axes
   std::vector<Ply> plies_{};
   Section section_;
   Eigen::Matrix<double, 6, 6> compliance_;
