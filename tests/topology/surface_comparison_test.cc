@@ -89,5 +89,23 @@ TEST(SurfaceComparison, FitsNotAcrossJumpsOfTheCurvature) {
   EXPECT_GT(second.judged_share, 0.8);
 }
 
+TEST(SurfaceDirectors, OfATubeAreRadialAtItsEdges) {
+  for (const int order : {2, 3, 4})
+    for (const int cells : {3, 6}) {
+      SpaceMesh tube{.shape = mesh::Shape::quadrilateral, .nodes = {}, .cells = {}};
+      const auto point = [](double s, double t) { return Vector3d(std::cos(s * pi / 2), std::sin(s * pi / 2), t); };
+      add_grid({.columns = cells, .rows = 2, .order = order}, point, tube);
+      const domain::FileSurface surface = domain::space_meshes::surface_of(glued(std::move(tube)));
+      int ends = 0;
+      for (const DirectorNode& node : surface.topology.director_nodes) {
+        const Vector3d& place = surface.topology.mesh.nodes[static_cast<std::size_t>(node.node)];
+        if (place[0] > 1e-9 && place[1] > 1e-9) continue;
+        EXPECT_NEAR(node.director[0] * place[1] - node.director[1] * place[0], 0, 1e-6) << order << ' ' << cells;
+        ++ends;
+      }
+      EXPECT_EQ(ends, 2 * (2 * order + 1));
+    }
+}
+
 }  // namespace
 }  // namespace plastron::topology::space_meshes

@@ -59,9 +59,8 @@ class SecondSurface {
         folds_.insert(edge);
         fold_vertices_.insert(edge.begin(), edge.end());
       }
-    for (const mesh::BoundaryEdge& edge : mesh.edges)
-      if (std::ranges::count(symmetric, mesh.boundaries[static_cast<std::size_t>(edge.boundary)]) > 0)
-        symmetric_.insert(ascending(edge.vertices));
+    for (std::size_t b = 0; b < mesh.boundaries.size(); ++b)
+      if (std::ranges::count(symmetric, mesh.boundaries[b]) > 0) add_symmetric(static_cast<int>(b));
   }
 
   SurfaceComparison run();
@@ -70,6 +69,9 @@ class SecondSurface {
   void add_cells(SurfaceComparison& comparison);
   void judge_decay(SurfaceComparison& comparison) const;
   using Edge = std::array<int, 2>;
+  /// Adds the edges of a boundary in a plane of symmetry. A straight boundary does not determine its plane: its directors do, and
+  /// those of the second surface may have another one.
+  void add_symmetric(int boundary);
   /// Vertex {v, -1, 0}, the k-th point of a side {low, high, k}, or a point inside of a cell {-1, cell, k}.
   using Key = std::array<int, 3>;
 
@@ -123,6 +125,32 @@ class SecondSurface {
   std::map<Key, Sum> sums_{};
   std::vector<std::vector<std::int32_t>> nodes_of_{};  ///< new nodes by cell
 };
+
+void SecondSurface::add_symmetric(int boundary) {
+  constexpr double straight = 1e-6;  // relative to the length
+  std::set<Edge> edges;
+  std::set<std::int32_t> nodes;
+  for (const mesh::BoundaryEdge& edge : mesh_.edges)
+    if (edge.boundary == boundary) edges.insert(ascending(edge.vertices));
+  for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
+    for (int side = 0; side < mesh::corner_count(mesh_.shape); ++side) {
+      const auto corners = mesh::side_corners(mesh_.shape, side);
+      const auto& vertices = mesh_.cells[c].vertices;
+      if (!edges.contains(ascending(
+              {vertices[static_cast<std::size_t>(corners[0])], vertices[static_cast<std::size_t>(corners[1])]})))
+        continue;
+      for (const int place : mesh::side_nodes(mesh_.shape, patch(c).order, side))
+        nodes.insert(patch(c).nodes[static_cast<std::size_t>(place)]);
+    }
+  if (nodes.empty()) return;
+  const Vector3d begin = position(*nodes.begin());
+  const auto distance = [&](std::int32_t node) { return (position(node) - begin).norm(); };
+  const Vector3d along = position(*std::ranges::max_element(nodes, {}, distance)) - begin;
+  const bool is_straight = std::ranges::all_of(nodes, [&](std::int32_t node) {
+    return along.cross(position(node) - begin).norm() <= straight * along.squaredNorm();
+  });
+  if (!is_straight) symmetric_.insert(edges.begin(), edges.end());
+}
 
 geometry::Frame SecondSurface::frame(std::size_t cell, const Vector2d& xi) const {
   geometry::PlaneJet at;

@@ -73,14 +73,13 @@ class EndCorrection {
   template <class Add>
   void for_cell(std::size_t cell, const Add& add) const {
     const int order = mesh_.cells[cell].order;
-    if (order % 2 == 0) return;
     if (mesh_.shape == mesh::Shape::triangle) return on_triangle(cell, add);
     for (int side = 0; side < 4; ++side) {
       if (!ends_[4 * cell + static_cast<std::size_t>(side)]) continue;
       for (int k = 0; k <= order; ++k) {
         const int row = order + 1, first = side < 2 ? k * row : k, last = side < 2 ? first + order : order * row + k;
         const bool is_low = side % 2 == 0;
-        add(is_low ? first : last, Vector3d(-deviation(cell, is_low ? last : first)));
+        add(is_low ? first : last, Vector3d(-turned_deviation(cell, is_low ? last : first, is_low ? first : last)));
       }
     }
   }
@@ -88,6 +87,12 @@ class EndCorrection {
  private:
   Vector3d deviation(std::size_t cell, int place) const {
     return means_[static_cast<std::size_t>(copies_[cell][static_cast<std::size_t>(place)])] - normals_.at(cell, place);
+  }
+
+  /// Turns the deviation with the cell's normal, from a place to the opposite one.
+  Vector3d turned_deviation(std::size_t cell, int from, int to) const {
+    const Vector3d v = deviation(cell, from), a = normals_.at(cell, from), b = normals_.at(cell, to), sum = a + b;
+    return v - sum.dot(v) / (1 + a.dot(b)) * sum + 2 * a.dot(v) * b;
   }
 
   /// On a facet with a side at the end: the opposite corner.

@@ -39,9 +39,9 @@ struct DirectorAngle {
 /// by cell and side. Returns the largest angle between a director and the normal of a cell. Throws DomainError if this
 /// angle exceeds 80 degrees, and if a normal of the file is more than 60 degrees off all fans of its node.
 ///
-/// For an odd order the errors of the normals at both ends of a cell are opposite, so that they cancel in the mean of two
-/// cells. At an end of the surface there is no second cell. There a cell's normal is corrected by its error at the
-/// opposite node, which the mean there shows: n - (d - n)_opposite. For facets this is the mirror image of the opposite
+/// On a surface of constant curvature, and for odd orders on every surface, the errors of the normals at both ends of a cell are
+/// opposite, so that they cancel in the mean of two cells. At an end of the surface there is no second cell. There a cell's normal is corrected by its error at the
+/// opposite node, which the mean there shows, turned with the normal: n - (d - n)_opposite. For facets this is the mirror image of the opposite
 /// director; the directors of a cylinder then are radial at its edges, too.
 DirectorAngle set_directors(const SpaceMesh& mesh, const LatticeNormals& normals,
                             const std::vector<std::vector<std::int32_t>>& cell_director_nodes,
