@@ -181,15 +181,15 @@ std::string geometry_text(const estimation::GoalEstimate& goal) {
   return error ? fmt::format(", by the mesh of the file {:.2g} %,", 100 * *error / std::abs(goal.value)) : "";
 }
 
-/// Prints estimated errors, relative to the numbers themselves. The reaction of obstacles that press against each other
-/// is a small difference of their forces.
+/// Prints estimated errors, relative to the numbers themselves. Where a number vanishes, because terms cancel or the shell is at
+/// rest, it prints the error itself.
 void print_estimates(const computation::Result& result) {
   if (!result.estimates) return;
-  const double rest = result.summary.obstacles.size() > 1 ? 1e-2 : 1e-6;
-  double forces = 0;
-  for (const solution::ObstacleContact& obstacle : result.summary.obstacles) forces += obstacle.reaction.force.norm();
   for (const estimation::GoalEstimate& g : result.estimates->goals)
-    if (std::abs(g.value) > (g.name == "reaction" ? rest * forces : 0))
+    if (g.scale > 2 * std::abs(g.value))
+      print("estimated error   {} {:.2g} {}; its value {:.2g} {} vanishes\n", g.name, g.error(), g.unit, g.value,
+            g.unit);
+    else if (g.value != 0)
       print("estimated error   {} {:.2g} %{} of {:.6e} {}\n", g.name, 100 * g.error() / std::abs(g.value),
             geometry_text(g), g.value, g.unit);
   if (result.estimates->unjudged_cells > 0)

@@ -166,8 +166,18 @@ TEST(AGoalsError, LiesBetweenWhatPatchesAndAHigherDegreeSay) {
     EXPECT_LE(goal.error(), std::max(1.0, std::abs(change)));
   }
   goal.at_higher_degree = goal.value + 0.125;
+  EXPECT_NEAR(goal.error(), 0.25 * std::cbrt(1.36 * 1.36),
+              1e-15);  // 1 * 0.125^2 with 1 + 1.8 * 0.2 for the contact's edge
+  goal.contact_edge = 0;
+  goal.estimate = -1;
   EXPECT_NEAR(goal.error(), 0.25, 1e-15);  // the cube root of 1 * 0.125^2
-  goal.at_higher_degree = goal.value;      // by chance, or because all degrees have the same error
+  goal.contact_edge = 1;
+  goal.estimate = 0;
+  EXPECT_NEAR(goal.error(), 0.4, 0.1);  // the place of an edge is hardly known better than its own estimate
+  EXPECT_GE(goal.error(), 0.4);
+  goal.contact_edge = 0.2;
+  goal.estimate = -0.8;
+  goal.at_higher_degree = goal.value;  // by chance, or because all degrees have the same error
   EXPECT_NEAR(goal.error(), 0.2, 1e-15);
   goal.free_edges = 0.6;  // polynomials do not see these
   EXPECT_NEAR(goal.difference(), 0.6, 1e-15);

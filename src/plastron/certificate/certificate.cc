@@ -145,9 +145,11 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const soluti
     c.energy_derivative = energy_derivative(discrete, solution.y, std::max(s.energy.total(), least.energy));
     return c;
   }
-  const double work = s.load_work + sum(sums.contact_work) + sum(sums.support_work);
+  const double by_contact = sum(sums.contact_work), by_supports = sum(sums.support_work);
   const double a = 2 * (s.energy.total() + s.tangency_energy);
-  c.energy_identity = ratio(std::abs(a - work), std::max(a, least.energy));
+  c.energy_identity =
+      ratio(std::abs(a - s.load_work - by_contact - by_supports),
+            std::max({a, std::abs(s.load_work), std::abs(by_contact), std::abs(by_supports), least.energy}));
   return c;
 }
 
@@ -164,8 +166,9 @@ Verdict certify(const assembly::DiscreteShell& discrete, const solution::NodalSo
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
     add_node(discrete, solution, i, node_values(r, i), sums);
   add_bodies(bodies, discrete.space().layout->comm, sums);
-  const auto least = verdict.summary.is_unstrained ? solution::strain_scale(discrete, solution.y, verdict.summary.size)
-                                                   : solution::StrainScale{};
+  auto least = verdict.summary.is_unstrained ? solution::strain_scale(discrete, solution.y, verdict.summary.size)
+                                             : solution::StrainScale{};
+  least.energy = std::max(least.energy, verdict.summary.least_energy());
   verdict.certificate = certificate_of(discrete, solution, sums, verdict.summary, least);
   return verdict;
 }

@@ -30,16 +30,6 @@ void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
   });
 }
 
-/// Marks the nodes on the boundary of the domain.
-std::vector<char> nodes_on_edges(const fem::Space& space) {
-  std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
-  for (const fem::BoundarySide& side : space.sides)
-    if (!side.is_inner)
-      for (const int i : mesh::side_nodes(space.shape(), space.degree, side.side))
-        marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
-  return marks;
-}
-
 /// Owned nodes pushed by an obstacle along the shell out of a place deep inside it.
 struct PushedSideways {
   std::int64_t nodes = 0;
@@ -102,7 +92,7 @@ std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, con
 void add_pushed_nodes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                       solution::Summary& summary) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  const std::vector<char> on_edges = nodes_on_edges(discrete.space());
+  const std::vector<char> on_edges = solution::nodes_on_edges(discrete.space());
   for (std::size_t k = 0; k < summary.obstacles.size(); ++k) {
     const auto pushed = algebra::in_agreement<obstacle::ObstacleError>(
         comm, [&] { return pushed_sideways(discrete, solution, k, on_edges); });

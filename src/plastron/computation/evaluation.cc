@@ -143,7 +143,7 @@ void choose_recovery(const problem::Output& output, Solution& solution) {
 
 void find_stress_peak(Result& result) {
   const Solution& solution = *result.solution;
-  result.singular_places = recovery::singular_places(*solution.discrete, result.summary);
+  result.singular_places = recovery::singular_places(*solution.discrete, solution.nodal, result.summary);
   result.layers =
       recovery::layer_stresses(*solution.discrete, solution.nodal, solution.recovery, result.singular_places);
   result.peak = recovery::stress_peak(*solution.discrete, solution.nodal, solution.recovery, result.singular_places);

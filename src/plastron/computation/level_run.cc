@@ -69,6 +69,8 @@ estimation::Estimates LevelRun::estimate(const contact::BoxSolution& z, const so
   tell("estimates");
   last_->kept.keep();
   auto estimates = estimation::estimate(solved(z, nodal, summary), last_->kept, *task_.goals);
+  for (std::size_t g = 0; g < estimates.goals.size(); ++g)
+    estimates.goals[g].scale = estimation::relative_scale((*task_.goals)[g], estimates.goals[g], summary);
   seconds.estimates += watch.lap();
   return estimates;
 }
@@ -92,7 +94,7 @@ estimation::Solved LevelRun::solved(const contact::BoxSolution& z, const solutio
           .nodal = nodal,
           .box = *last_->box,
           .z = z,
-          .singular = recovery::singular_places(*discrete_, summary)};
+          .singular = recovery::singular_places(*discrete_, nodal, summary)};
 }
 
 contact::Observer LevelRun::follow() const {

@@ -11,19 +11,12 @@ namespace plastron::computation {
 
 namespace {
 
-/// Below this part of the largest force of obstacles, supports and loads a force is not judged.
+/// Below this part of the sum of the norms of all nodal forces a force is not judged.
 constexpr double small_force = 1e-3;
 
 constexpr int most_steps = 8;
 /// Change of a number by a step, relative, above which its numbers are rough.
 constexpr double rough_change = 0.1;
-
-double largest_force(const solution::Summary& summary) {
-  double largest = std::max(summary.loads.force.norm(), summary.support_reaction.force.norm());
-  for (const solution::ObstacleContact& obstacle : summary.obstacles)
-    largest = std::max(largest, obstacle.reaction.force.norm());
-  return largest;
-}
 
 double nodal_contact_area(const Solution& solution) {
   double area = 0;
@@ -35,16 +28,21 @@ double nodal_contact_area(const Solution& solution) {
 
 /// Returns the numbers that are compared, with their values in the linear model.
 std::vector<ModelQuantity> linear_numbers(const solution::Summary& summary) {
-  std::vector<ModelQuantity> numbers{
-      {.name = "energy", .unit = "J", .linear = summary.energy.total(), .least = summary.rounding_energy}};
-  const double force = small_force * largest_force(summary);
+  std::vector<ModelQuantity> numbers{{.name = "energy",
+                                      .unit = "J",
+                                      .linear = summary.energy.total(),
+                                      .least = std::max(summary.rounding_energy, summary.least_energy())}};
+  const double force = small_force * summary.force_scale();
   for (const solution::ObstacleContact& obstacle : summary.obstacles)
     numbers.push_back(
         {.name = summary.obstacles.size() == 1 ? "reaction" : fmt::format("obstacle.{}.force", obstacle.name),
          .unit = "N",
          .linear = obstacle.reaction.force.norm(),
          .least = force});
-  numbers.push_back({.name = "max_displacement", .unit = "m", .linear = summary.max_displacement});
+  numbers.push_back({.name = "max_displacement",
+                     .unit = "m",
+                     .linear = summary.max_displacement,
+                     .least = summary.least_displacement()});
   if (!summary.obstacles.empty())
     numbers.push_back({.name = "contact_area", .unit = "m^2", .linear = summary.contact_area, .is_judged = false});
   for (ModelQuantity& number : numbers) number.finite = number.linear;

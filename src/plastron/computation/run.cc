@@ -232,6 +232,7 @@ Result Run::finish() {
     warn(point_support_warnings(result, problem.shell.supports));
     if (result.history.empty()) recover();
     find_stress_peak(result);
+    warn(probe_warnings(result));
     find_modes();
     warn(mode_warnings(result));
     warn(strain_warnings(result));

@@ -86,7 +86,7 @@ std::vector<std::string> line_contact_warnings(const solution::Summary& summary)
       force += zone.reaction.force.norm();
       per_length = std::max(per_length, zone.line_reaction());
     }
-    if (!(force > notable * obstacle.reaction.force.norm())) continue;
+    if (!(force > notable * obstacle.force_norms)) continue;
     warnings.push_back(fmt::format(
         "the shell touches {} along lines or in points that are narrower than the distance of nodes: they carry "
         "{:.4g} N{}; the pressure (eta) at their nodes depends on the mesh",
@@ -96,7 +96,7 @@ std::vector<std::string> line_contact_warnings(const solution::Summary& summary)
   return warnings;
 }
 
-/// Limit below which a force counts as zero, relative to the sum of the norms of all loads.
+/// Limit below which a force counts as zero, relative to the sum of the norms of all nodal forces.
 constexpr double negligible_force = 1e-6;
 
 /// Whether there are six components, all at points: then statics alone determines their forces.
@@ -115,7 +115,7 @@ bool in_equilibrium(const solution::Summary& s) {
   sum += s.reaction;
   sum.move_point(-s.moment_point);  // back to the origin
   const double force = sum.force.norm(), moment = sum.moment.norm();
-  return force <= negligible_force * s.load_norms && moment <= negligible_force * s.load_norms * s.size;
+  return force <= negligible_force * s.force_scale() && moment <= negligible_force * s.force_scale() * s.size;
 }
 
 /// Limit of the size h (e/L)^{-1/k} / L, at which locking costs a tenth of the deflection, measured for degree 1 to 3
@@ -261,7 +261,7 @@ std::vector<std::string> mode_warnings(const Result& result) {
 std::vector<std::string> geometry_warnings(const Result& result) {
   if (!result.estimates || !result.estimates->geometry) return {};
   const auto excess = [](const estimation::GoalEstimate& goal) {
-    const double allowed = goal.tolerance.value_or(notable_geometry_error) * std::abs(goal.value);
+    const double allowed = goal.tolerance.value_or(notable_geometry_error) * goal.scale;
     return allowed > 0 ? goal.geometry_error.value_or(0) / allowed : 0;
   };
   const auto& goals = result.estimates->goals;
@@ -272,8 +272,8 @@ std::vector<std::string> geometry_warnings(const Result& result) {
       fmt::format("the mesh of the file limits the accuracy: {} changes by {:.2g} % if the cells are fitted to their "
                   "neighbours; the mesh deviates from the part by about {:.2g} m at ({:.4g}, {:.4g}, {:.4g}) m; export "
                   "cells of a higher order, or smaller ones",
-                  worst->name, 100 * *worst->geometry_error / std::abs(worst->value), mesh.largest, mesh.place[0],
-                  mesh.place[1], mesh.place[2])};
+                  worst->name, 100 * *worst->geometry_error / worst->scale, mesh.largest, mesh.place[0], mesh.place[1],
+                  mesh.place[2])};
 }
 
 std::vector<std::string> body_warnings(const solution::Summary& summary) {
@@ -311,15 +311,28 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
   return warnings;
 }
 
+std::vector<std::string> probe_warnings(const Result& result) {
+  std::vector<std::string> warnings;
+  for (const ProbeValue& probe : result.probes)
+    for (const recovery::SingularPlace& place : result.singular_places)
+      if (place.is_near(probe.values.phi)) {
+        warnings.push_back(
+            fmt::format("the probe \"{}\" lies within {:.2g} m of a {}: moments, forces and stresses there have a peak "
+                        "that depends on the "
+                        "mesh; no estimate covers them; move the probe away, or refine the mesh and compare",
+                        probe.name, place.radius, place.what));
+        break;
+      }
+  return warnings;
+}
+
 std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports) {
   const solution::Summary& s = result.summary;
   if (s.point_reactions.empty() || s.is_unstrained) return {};
   const auto most = std::ranges::max_element(
       s.point_reactions, {}, [](const solution::PointReaction& reaction) { return reaction.force.norm(); });
   const double force = most->force.norm();
-  double pressed = 0;  // force of obstacles, which may be the only load of the shell
-  for (const solution::ObstacleContact& contact : s.obstacles) pressed += contact.reaction.force.norm();
-  if (force <= negligible_force * (s.load_norms + pressed)) return {};
+  if (force <= negligible_force * s.force_scale()) return {};
   const std::string what = fmt::format("the support at the point {} carries {:.4g} N",
                                        s.is_in_space ? fmt::format("({:.6g})", fmt::join(most->position, ", "))
                                                      : fmt::format("({:.6g})", fmt::join(most->at, ", ")),
@@ -327,7 +340,7 @@ std::vector<std::string> point_support_warnings(const Result& result, const std:
   if (is_isostatic(supports) && in_equilibrium(s))
     return {what + fmt::format(", {:.1g} of the loads, though these are in equilibrium: on a curved shell the mesh "
                                "misses so much of a rigid rotation; refine it or raise the degree",
-                               force / s.load_norms)};
+                               force / s.force_scale())};
   return {
       what +
       ": a force at a point is singular in this model, the displacement under it grows without limit as the mesh is "

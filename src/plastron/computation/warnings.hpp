@@ -52,5 +52,7 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
 /// are in equilibrium. A remaining force has no limit as the mesh is refined (docs/model.md, section 6).
 /// Returns one warning for the point with the largest reaction, if this is above a millionth of the loads.
 std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports);
+/// Returns one warning for each probe at a place where stresses have no limit or a peak.
+std::vector<std::string> probe_warnings(const Result& result);
 
 }  // namespace plastron::computation

@@ -44,7 +44,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   const fem::Space& space = discrete.space();
   const std::size_t obstacles = discrete.obstacles.all.size();
   if (obstacles == 0) return;
-  touching_faces_ = solution::contact_faces(discrete, solved.nodal).touching;
+  width_.emplace(discrete, solution::contact_faces(discrete, solved.nodal).touching);
   if (solution::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
@@ -63,7 +63,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       if (stands_on_rim(cell, k) && !has_end_of_line(cell, k)) continue;
       crossed_.push_back(cell);
       touching_nodes_.push_back(touching);
-      across_.push_back(direction_across(cell, k));
+      across_.push_back(width_->direction_across(cell, k));
       break;
     }
   find_deepest();
@@ -91,90 +91,31 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
   return result;
 }
 
-ContactEdge::Zones ContactEdge::zones() const {
-  const fem::Space& space = solved_.discrete.space();
-  const std::size_t obstacles = solved_.discrete.obstacles.all.size();
-  // Marks all nodes of the cells for which `belongs` is true, by obstacle.
-  const auto marked = [&](const auto& belongs) {
-    algebra::Vector marks(space.layout, static_cast<int>(obstacles));
-    for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
-      for (std::size_t k = 0; k < obstacles; ++k)
-        if (belongs(cell, k))
-          for (const algebra::LocalIndex node : space.nodes(cell))
-            marks.local()[static_cast<std::size_t>(node) * obstacles + k] += 1;
-    marks.accumulate_ghosts();
-    marks.update_ghosts();
-    return marks;
-  };
-  const auto touching = [&](std::size_t cell, std::size_t k) {
-    return std::ranges::count_if(space.nodes(cell),
-                                 [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); });
-  };
-  const auto is_full = [&](std::size_t cell, std::size_t k) { return touching(cell, k) == space.nodes_per_cell(); };
-  const auto has_one_of = [&](const algebra::Vector& marks, std::size_t cell, std::size_t k) {
-    return std::ranges::any_of(space.nodes(cell), [&](algebra::LocalIndex node) {
-      return marks.local()[static_cast<std::size_t>(node) * obstacles + k] > 0;
-    });
-  };
-  const auto spread = [&](const algebra::Vector& marks) {
-    return marked([&](std::size_t cell, std::size_t k) { return touching(cell, k) > 0 && has_one_of(marks, cell, k); });
-  };
-  const algebra::Vector edge = marked([&](std::size_t cell, std::size_t k) { return !is_full(cell, k); });
-  const algebra::Vector inside =
-      marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && !has_one_of(edge, cell, k); });
-  const algebra::Vector beside =
-      marked([&](std::size_t cell, std::size_t k) { return is_full(cell, k) && has_one_of(inside, cell, k); });
-  return {.with_area = spread(marked(
-              [&](std::size_t cell, std::size_t k) { return is_full(cell, k) || is_wider_than_a_line(cell, k); })),
-          .wide = spread(beside)};
-}
-
-bool ContactEdge::is_wider_than_a_line(std::size_t cell, std::size_t obstacle) const {
-  const assembly::DiscreteShell& discrete = solved_.discrete;
-  const auto nodes = discrete.space().nodes(cell);
-  const auto n = static_cast<std::size_t>(discrete.space().degree) + 1;
-  const bool along_first = direction_across(cell, obstacle) == 0;
-  for (std::size_t line = 0; line < n; ++line) {
-    const assembly::NodalPoint* first = nullptr;
-    for (std::size_t i = 0; i < n; ++i) {
-      const auto node = static_cast<std::size_t>(nodes[along_first ? line * n + i : i * n + line]);
-      if (!touches(node, obstacle)) {
-        first = nullptr;
-      } else if (first == nullptr) {
-        first = &discrete.points[node];
-      } else if ((discrete.points[node].phi - first->phi).norm() > first->thickness / 2) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 void ContactEdge::find_deepest() {
   const fem::Space& space = solved_.discrete.space();
   if (space.shape() != mesh::Shape::quadrilateral) return;
   const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
   for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
-  const Zones zones_found = zones();
+  const algebra::Vector with_area = width_->with_area(), with_inside = width_->with_inside();
   algebra::Vector depths(space.layout, static_cast<int>(obstacles));
   for (std::size_t c = 0; c < crossed_.size(); ++c)
     for (std::size_t k = 0; k < obstacles; ++k) {
       const auto nodes = space.nodes(crossed_[c]);
       const auto touches_it = [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); };
       if (std::ranges::none_of(nodes, touches_it) || stands_on_rim(crossed_[c], k)) continue;
-      const auto d = static_cast<std::size_t>(direction_across(crossed_[c], k));
+      const auto d = static_cast<std::size_t>(width_->direction_across(crossed_[c], k));
       const auto found = gaps(crossed_[c], k, between_[d]);
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k) || zones_found.wide.local()[node * obstacles + k] > 0) continue;
+          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
           const auto least = std::min_element(from, to, [](const auto& a, const auto& b) { return a.first < b.first; });
           if (!(least->first < 0)) continue;
-          deepest_.push_back({c, k, node, d, least - found.begin(), least->first, 1,
-                              zones_found.with_area.local()[node * obstacles + k] == 0});
+          deepest_.push_back(
+              {c, k, node, d, least - found.begin(), least->first, 1, with_area.local()[node * obstacles + k] == 0});
           depths.local()[node * obstacles + k] -= least->first;
         }
     }
@@ -234,31 +175,6 @@ bool ContactEdge::has_end_of_line(std::size_t cell, std::size_t obstacle) const 
     });
     return touching > 0 && touching < std::ssize(nodes);
   });
-}
-
-int ContactEdge::direction_across(std::size_t cell, std::size_t obstacle) const {
-  const fem::Space& space = solved_.discrete.space();
-  if (space.shape() != mesh::Shape::quadrilateral) return 0;
-  const auto nodes = space.nodes(cell);
-  const auto n = static_cast<std::size_t>(space.degree) + 1;
-  const auto differ = [&](std::size_t a, std::size_t b) {
-    return touches(static_cast<std::size_t>(nodes[a]), obstacle) !=
-                   touches(static_cast<std::size_t>(nodes[b]), obstacle)
-               ? 1
-               : 0;
-  };
-  int along_first = 0, along_second = 0;
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-      along_first += differ(j * n + i, j * n + i + 1);
-      along_second += differ(i * n + j, (i + 1) * n + j);
-    }
-  return along_first >= along_second ? 0 : 1;
-}
-
-bool ContactEdge::touches(std::size_t node, std::size_t obstacle) const {
-  const algebra::Vector& touching = touching_faces_;
-  return touching.local()[node * static_cast<std::size_t>(touching.block()) + obstacle] > 0.5;
 }
 
 /// Multipliers of active coordinates as densities that open the gap of their obstacle.

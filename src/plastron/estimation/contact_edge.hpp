@@ -8,8 +8,10 @@
 // quadrature does not include this, so both terms are evaluated at the deepest point.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
+#include <plastron/solution/contact_width.hpp>
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -54,15 +56,6 @@ class ContactEdge {
     double part = 1;      ///< part of the node's reaction in this cell; other cells have the rest
     bool on_line = true;  ///< true in a zone without area
   };
-  /// Marks by node and obstacle, positive in zones of the kind.
-  struct Zones {
-    algebra::Vector with_area;  ///< zones that fill a cell or are wider than e/2
-    algebra::Vector wide;       ///< zones with a cell away from their edge
-  };
-  /// Marks the zones (collective).
-  Zones zones() const;
-  /// Whether a row of touching nodes of the cell across the zone is longer than e/2.
-  bool is_wider_than_a_line(std::size_t cell, std::size_t obstacle) const;
   void find_deepest();
   /// The shell's gaps at points of a cell, with their rows.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
@@ -72,8 +65,7 @@ class ContactEdge {
   std::vector<double> densities(const algebra::Vector& multiplier) const;
   double share(std::size_t cell, std::size_t obstacle, const Derivative& derivative, const element::CellField& z,
                const Reactions& reactions) const;
-  int direction_across(std::size_t cell, std::size_t obstacle) const;
-  bool touches(std::size_t node, std::size_t obstacle) const;
+  bool touches(std::size_t node, std::size_t obstacle) const { return width_->touches(node, obstacle); }
   /// Whether all touching nodes of a cell lie on a rim that carries a line reaction.
   bool stands_on_rim(std::size_t cell, std::size_t obstacle) const;
   /// Whether a side of the cell on the rim has both touching and free nodes.
@@ -82,7 +74,7 @@ class ContactEdge {
 
   const Solved& solved_;
   std::vector<double> eta_{};
-  algebra::Vector touching_faces_{};
+  std::optional<solution::ContactWidth> width_{};  ///< empty without obstacles
   std::vector<std::size_t> crossed_{}, touching_nodes_{};
   std::vector<int> across_{};
   /// 1 for local nodes on the rim; empty without a line reaction.

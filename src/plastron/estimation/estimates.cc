@@ -8,8 +8,8 @@ namespace plastron::estimation {
 double GoalEstimate::difference() const { return at_higher_degree ? *at_higher_degree - value + free_edges : estimate; }
 
 double GoalEstimate::least_error() const {
-  constexpr double least_part = 0.2;
-  return std::max(least_part * recovered_error(), contact_line);
+  constexpr double least_part = 0.2, least_part_of_edge = 0.4;
+  return std::max({least_part * recovered_error(), least_part_of_edge * contact_edge, contact_line});
 }
 
 // The rule is based on problems with known solutions (docs/methods/estimates.md).
@@ -18,7 +18,10 @@ double GoalEstimate::error() const {
   if (!at_higher_degree) return recovered;
   const double seen = std::abs(difference());
   if (seen >= recovered) return seen;
-  return std::max(std::cbrt(recovered * seen * seen), least_error());
+  // The place of a contact zone's edge is known to the square of the distance of nodes, which one degree more reduces by a third.
+  constexpr double edge_over_change = 2.8;
+  const double whole = std::min(seen * (1 + (edge_over_change - 1) * contact_edge / recovered), recovered);
+  return std::max(std::cbrt(recovered * whole * whole), least_error());
 }
 
 }  // namespace plastron::estimation

@@ -27,6 +27,7 @@ struct GoalEstimate {
   std::optional<double> at_higher_degree{};  ///< the same goal's value on the same cells at one degree more
   std::optional<double> geometry_error{};    ///< error by the mesh of the mid-surface, where it is known
   std::optional<double> tolerance{};         ///< relative tolerance of a goal with a required accuracy
+  double scale = 0;        ///< to which relative errors refer: |value|, or a part of what is summed where sums cancel
   double dual_energy = 0;  ///< 1/2 a(z, z): grows without bound under refinement if the functional is not bounded
   bool has_dual = true;    ///< false if the dual problem could not be solved; then the estimate lacks its part
 

@@ -18,12 +18,12 @@ struct GoalRecord {
   double difference = 0;  ///< exact value minus `value`, with sign if known
   double error = 0;       ///< estimate of |exact value - value|
   double tolerance = 0;   ///< tolerance of the error, relative to `scale`
-  double scale = 0;       ///< |value|, or the usual size of such quantities if that is larger
+  double scale = 0;       ///< relative_scale()
   double dual_energy = 0;
   bool has_estimate = true;
 
   double relative_estimate() const { return scale > 0 ? error / scale : 0; }
-  /// Allowed absolute error. For a value of zero it is nearly zero.
+  /// Allowed absolute error. Without any forces it is nearly zero.
   double allowed() const { return std::max(tolerance * scale, std::numeric_limits<double>::min()); }
   /// Error divided by the allowed error, with a safety factor: estimates are often only half of the true error
   /// (docs/methods/accuracy.md).
@@ -33,6 +33,9 @@ struct GoalRecord {
   }
   bool is_met() const { return has_estimate && excess() <= 1; }
 };
+
+/// Returns the scale of a goal's relative errors: the size of its value, or a part of usual values of its kind if that is larger.
+double relative_scale(const Goal& goal, const GoalEstimate& found, const solution::Summary& summary);
 
 /// Returns the records of goals on the mesh whose solution `summary` describes. Precondition: each goal has a tolerance.
 std::vector<GoalRecord> goal_records(const std::vector<Goal>& goals, const Estimates& estimates,

@@ -146,9 +146,9 @@ Tolerances::Tolerances(const computation::Result& recomputed) {
   rounding = std::max(1e-9, 10 * recomputed.certificate.stationarity);
   length_ = std::max(s.least_thickness, s.max_displacement);
   size_ = s.size;
-  energy_ = std::max(s.energy.total(), std::abs(s.load_work));
-  pressure_ = s.max_pressure;
-  force_ = std::max({s.load_norms, s.loads.force.norm(), s.reaction.force.norm(), s.support_reaction.force.norm(),
+  energy_ = std::max({s.energy.total(), std::abs(s.load_work), s.least_energy()});
+  pressure_ = std::max(s.max_pressure, s.force_scale() / (s.size * s.least_thickness));
+  force_ = std::max({s.force_scale(), s.loads.force.norm(), s.reaction.force.norm(), s.support_reaction.force.norm(),
                      s.max_displacement > 0 ? 2 * s.energy.total() / s.max_displacement : 0});
 }
 

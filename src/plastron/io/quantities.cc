@@ -52,14 +52,21 @@ std::span<const Quantity<Result>> result_quantities() {
        Form::triple},
       {"loads/moment", "N m", "resultant moment of all loads about moment_point",
        [](const Result& r) { return triple(r.summary.loads.moment); }, Form::triple},
+      {"loads/sum_of_norms", "N", "sum of the norms of all nodal loads, couples over the shell's size",
+       [](const Result& r) { return number(r.summary.load_norms); }},
       {"reaction/force", "N", "resultant force of all obstacles on the shell",
        [](const Result& r) { return triple(r.summary.reaction.force); }, Form::triple},
       {"reaction/moment", "N m", "resultant moment of all obstacles on the shell about moment_point",
        [](const Result& r) { return triple(r.summary.reaction.moment); }, Form::triple},
+      {"reaction/sum_of_norms", "N",
+       "sum of the norms of the nodal forces of obstacles, which do not cancel as they do in a resultant",
+       [](const Result& r) { return number(r.summary.contact_norms()); }},
       {"support_reaction/force", "N", "resultant force of all supports on the shell",
        [](const Result& r) { return triple(r.summary.support_reaction.force); }, Form::triple},
       {"support_reaction/moment", "N m", "resultant moment of all supports on the shell about moment_point",
        [](const Result& r) { return triple(r.summary.support_reaction.moment); }, Form::triple},
+      {"support_reaction/sum_of_norms", "N", "sum of the norms of the nodal forces of supports",
+       [](const Result& r) { return number(r.summary.support_norms); }},
       {"size/max_displacement", "m", "largest |u| at a node",
        [](const Result& r) { return number(r.summary.max_displacement); }},
       {"size/max_relative_displacement", "1", "largest |u| / e at a node",
@@ -226,9 +233,12 @@ std::span<const Quantity<Result>> estimate_quantities() {
   static const std::vector<Quantity<Result>> all{
       {"energy_norm/squared", "J", "a(e, e) of the error e of the solution, estimated",
        [](const Result& r) { return number(r.estimates->energy_norm_squared); }},
-      {"energy_norm/relative", "1", "square root of a(e, e) / a(U, U)",
+      {"energy_norm/relative", "1",
+       "square root of a(e, e) / a(U, U); where the shell is at rest, over the energy of a strain that the model "
+       "neglects",
        [](const Result& r) {
-         return number(std::sqrt(r.estimates->energy_norm_squared / (2 * r.summary.energy.total())));
+         const double energy = std::max(r.summary.energy.total(), r.summary.least_energy());
+         return number(energy > 0 ? std::sqrt(r.estimates->energy_norm_squared / (2 * energy)) : 0);
        }},
       {"unjudged_cells", "1", "cells without a neighbour for comparison; their estimated errors are too small",
        [](const Result& r) { return Json(r.estimates->unjudged_cells); }, Form::integer},
@@ -257,6 +267,11 @@ std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
       {"value", "see unit", "computed value", [](const GoalEstimate& g) { return number(g.value); }},
       {"tolerance", "1", "requested relative error; null if none was requested",
        [](const GoalEstimate& g) { return known(g.tolerance); }},
+      {"scale", "see unit",
+       "to which relative errors refer: |value|, or a part of usual values where the value vanishes; sums that cancel "
+       "have the "
+       "sizes of their terms",
+       [](const GoalEstimate& g) { return number(g.scale); }},
       {"difference", "see unit",
        "estimate of the exact value minus value, from the solution of higher degree if there is one, else without the "
        "effect of the edges of contact zones",

@@ -207,10 +207,14 @@ std::string estimates_html(const Json& results) {
   const bool is_solved = at_path(results, "status") == Json("solved");
   for (std::size_t k = 0; k < goals.size(); ++k) {
     const std::string path = fmt::format("estimates/goals/{}/", k);
-    const Json &value = goals[k]["value"], &error = goals[k]["error"], &tolerance = goals[k]["tolerance"];
-    const bool is_known = value.is_number() && error.is_number() && value.get<double>() != 0;
-    const double relative = is_known ? error.get<double>() / std::abs(value.get<double>()) : std::nan("");
-    // A solved case has the accuracy, also where a number is the rest of larger ones and its relative error says nothing.
+    const Json &value = goals[k]["value"], &error = goals[k]["error"], &tolerance = goals[k]["tolerance"],
+               &scale = goals[k]["scale"];
+    const bool is_known = value.is_number() && error.is_number() && scale.is_number();
+    // Without any force the value and its error are 0.
+    const double relative = !is_known                  ? std::nan("")
+                            : error.get<double>() == 0 ? 0
+                                                       : error.get<double>() / scale.get<double>();
+    // Numbers that are the rest of larger ones may count as zero: a solved case has the accuracy.
     const bool is_missed = !is_solved && tolerance.is_number() && !(relative <= tolerance.get<double>());
     std::vector<std::string> row{html_text(plain_words(goals[k]["name"])), html_number(value, path + "value"),
                                  html_text(plain_words(goals[k]["unit"])), html_number(error, path + "error"),

@@ -1,6 +1,7 @@
 #include <plastron/recovery/singular_places.hpp>
 
-#include <plastron/solution/nodal_solution.hpp>
+#include <plastron/solution/contact_faces.hpp>
+#include <plastron/solution/contact_width.hpp>
 #include <plastron/solution/place_order.hpp>
 #include <plastron/solution/summary.hpp>
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -194,14 +196,78 @@ std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discr
   return places;
 }
 
+/// A node that touches an obstacle in a line or point of contact.
+struct NarrowNode {
+  double force = 0;  ///< of the obstacle [N]
+  Eigen::Vector2d at;
+  Vector3d position;
+  double radius = 0;  ///< the thickness, or half of the distance of nodes if that is more [m]
+};
+
+/// Returns the nodes of all ranks in lines and points of contact with an obstacle, first the one with the largest force
+/// (collective).
+std::vector<NarrowNode> narrow_nodes(const assembly::DiscreteShell& discrete, const solution::ContactFaces& faces,
+                                     const algebra::Vector& with_area, std::size_t obstacle) {
+  const std::size_t obstacles = discrete.obstacles.all.size();
+  const std::vector<char> on_edges =
+      solution::nodes_on_edges(discrete.space());  // a line of contact there is an ordinary load
+  std::vector<double> mine;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const std::size_t at = i * obstacles + obstacle;
+    if (on_edges[i] != 0) continue;
+    if (!(faces.touching.local()[at] > 0.5) || with_area.local()[at] > 0) continue;
+    const assembly::NodalPoint& p = discrete.points[i];
+    mine.insert(mine.end(), {faces.pressure.local()[at] * p.side_weight, p.x[0], p.x[1], p.phi[0], p.phi[1], p.phi[2],
+                             std::max(p.thickness, std::sqrt(p.weight) / 2)});
+  }
+  const std::vector<double> all = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
+  std::vector<NarrowNode> nodes;
+  for (std::size_t i = 0; i < all.size(); i += 7)
+    nodes.push_back({all[i], {all[i + 1], all[i + 2]}, {all[i + 3], all[i + 4], all[i + 5]}, all[i + 6]});
+  constexpr double same = 1 - 1e-6;
+  double largest = 0;
+  for (const NarrowNode& node : nodes) largest = std::max(largest, node.force);
+  const auto first = [&](const NarrowNode& node) {
+    return std::array{node.force >= same * largest ? 0.0 : 1.0, node.at[0], node.at[1]};
+  };
+  std::ranges::sort(nodes, {}, first);
+  return nodes;
+}
+
+/// Returns one place for each obstacle that touches the shell along lines or at points.
+std::vector<SingularPlace> narrow_contact(const assembly::DiscreteShell& discrete,
+                                          const solution::NodalSolution& solution) {
+  std::vector<SingularPlace> places;
+  if (discrete.obstacles.empty()) return places;
+  const solution::ContactFaces faces = solution::contact_faces(discrete, solution);
+  const algebra::Vector with_area = solution::ContactWidth(discrete, faces.touching).with_area();
+  for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) {
+    const std::vector<NarrowNode> nodes = narrow_nodes(discrete, faces, with_area, k);
+    if (nodes.empty()) continue;
+    const std::string& name = discrete.obstacles.all[k].name;
+    SingularPlace& place = places.emplace_back(
+        SingularPlace{.what = fmt::format("{} of contact{}", nodes.size() == 1 ? "point" : "line or points",
+                                          name.empty() ? "" : fmt::format(" with \"{}\"", name)),
+                      .at = nodes.front().at,
+                      .position = nodes.front().position});
+    for (const NarrowNode& node : nodes) {
+      place.radius = std::max(place.radius, node.radius);
+      if (&node != &nodes.front()) place.others.push_back(node.position);
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
-std::vector<SingularPlace> singular_places(const assembly::DiscreteShell& discrete, const solution::Summary& summary) {
+std::vector<SingularPlace> singular_places(const assembly::DiscreteShell& discrete,
+                                           const solution::NodalSolution& solution, const solution::Summary& summary) {
   std::vector<SingularPlace> places = singular_corners(discrete);
-  // Part of the loads: smaller forces belong to points that only prevent rigid motions.
+  std::ranges::move(narrow_contact(discrete, solution), std::back_inserter(places));
+  // Part of all forces: smaller forces belong to points that only prevent rigid motions.
   constexpr double negligible = 1e-6;
   for (const solution::PointReaction& point : summary.point_reactions) {
-    if (point.force.norm() <= negligible * summary.load_norms) continue;
+    if (point.force.norm() <= negligible * summary.force_scale()) continue;
     std::vector<double> mine;
     for (const auto node : assembly::owned_nodes_at(discrete.space(), discrete.points, point.at)) {
       const assembly::NodalPoint& p = discrete.points[static_cast<std::size_t>(node)];

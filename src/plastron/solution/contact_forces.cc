@@ -109,6 +109,15 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
 
 }  // namespace
 
+std::vector<char> nodes_on_edges(const fem::Space& space) {
+  std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
+  for (const fem::BoundarySide& side : space.sides)
+    if (!side.is_inner)
+      for (const int i : mesh::side_nodes(space.shape(), space.degree, side.side))
+        marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
+  return marks;
+}
+
 EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution) {
   EdgeContact edge;
   if (discrete.obstacles.empty()) return edge;

@@ -43,6 +43,9 @@ struct EdgeContact {
   }
 };
 
+/// Marks the local nodes on edges of the shell.
+std::vector<char> nodes_on_edges(const fem::Space& space);
+
 /// Computes the contact along edges (collective).
 EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
 

@@ -21,7 +21,7 @@ constexpr double rounding_of_energy = 1e-22;
 struct Sums {
   Wrench loads, supports;
   std::vector<ObstacleContact> obstacles{};
-  double load_work = 0, lift_work = 0;
+  double load_work = 0, lift_work = 0, support_norms = 0, area_modulus = 0;
   double max_pressure = 0;
   double displacement = 0, relative_displacement = 0, rotation = 0;
   double thickness = std::numeric_limits<double>::infinity();
@@ -55,6 +55,7 @@ Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolutio
     const double pressure = solution.pressure.at(i)[k];
     sums.obstacles[k].nodes += 1;
     sums.obstacles[k].reaction += nodal_wrench(point.phi, point.a3, force);
+    sums.obstacles[k].force_norms += force.head<3>().norm();
     sums.max_pressure = std::max(sums.max_pressure, pressure);
     sums.lift_work += pressure * point.weight * discrete.state.lift(i, k);
   }
@@ -70,6 +71,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
   const Vector6 y = node_values(solution.y, i), load = node_values(discrete.load, i);
   sums.loads += nodal_wrench(point.phi, point.a3, load);
   sums.load_work += load.dot(y);
+  sums.area_modulus += discrete.points[i].young * discrete.points[i].weight;
   note_size(discrete, point, y, sums);
   if (discrete.space().continuity.constrains(i)) return;
   const Vector6 contact = add_contacts(discrete, solution, i, sums);
@@ -82,6 +84,7 @@ void add_node(const assembly::DiscreteShell& discrete, const NodalSolution& solu
     sums.supports += nodal_wrench(point.phi, point.a3, force);
     support += force;
   }
+  sums.support_norms += support.head<3>().norm();
   if (!support.isZero(0)) sums.at_supports.push_back({i, support});
 }
 
@@ -109,6 +112,7 @@ void add_totals(const Sums& sums, MPI_Comm comm, Summary& s) {
   for (const ObstacleContact& contact : sums.obstacles) {
     s.obstacles.push_back(contact);
     s.obstacles.back().reaction = over_ranks(contact.reaction, comm);
+    s.obstacles.back().force_norms = algebra::sum_over_ranks(contact.force_norms, comm);
     s.obstacles.back().nodes = algebra::sum_over_ranks(contact.nodes, comm);
     s.reaction += s.obstacles.back().reaction;
   }
@@ -120,6 +124,8 @@ void add_totals(const Sums& sums, MPI_Comm comm, Summary& s) {
   s.max_rotation = algebra::max_over_ranks(sums.rotation, comm);
   s.least_thickness = algebra::min_over_ranks(sums.thickness, comm);
   s.lift_work = algebra::sum_over_ranks(sums.lift_work, comm);
+  s.support_norms = algebra::sum_over_ranks(sums.support_norms, comm);
+  s.area_modulus = algebra::sum_over_ranks(sums.area_modulus, comm);
 }
 
 double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
@@ -165,12 +171,30 @@ double max_strain(const assembly::DiscreteShell& discrete, const algebra::Vector
   return algebra::max_over_ranks(most, shell.space().layout->comm);
 }
 
+/// Returns the energy of the initial strains at the state's load factor (collective) [J].
+double initial_energy(const assembly::DiscreteShell& discrete) {
+  const assembly::ShellOperator& shell = discrete.shell;
+  double sum = 0;
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
+    const auto initial = shell.weighted_initial_stresses(c);
+    if (!initial) continue;
+    for (Eigen::Index q = 0; q < initial->rows(); ++q) {
+      const assembly::QuadraturePoint p = shell.point(c, static_cast<int>(q));
+      sum += initial->row(q).dot(p.section.strains_of(p.section.initial_resultants()).transpose()) / 2;
+    }
+  }
+  const double factor = discrete.state.load_factor;
+  return factor * factor * algebra::sum_over_ranks(sum, shell.space().layout->comm);
+}
+
 /// Adds energies, and whether they are only rounding.
 void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& s) {
   s.energy = discrete.energies(solution.y);
   s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
   s.max_strain = max_strain(discrete, solution.y);
-  s.rounding_energy = rounding_of_energy * strain_scale(discrete, solution.y, s.size).energy;
+  s.initial_energy = initial_energy(discrete);
+  s.rigid_energy = strain_scale(discrete, solution.y, s.size).energy;
+  s.rounding_energy = rounding_of_energy * s.rigid_energy;
   s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
 }
 
@@ -230,6 +254,23 @@ StrainScale strain_scale(const assembly::DiscreteShell& discrete, const algebra:
   return {algebra::sum_over_ranks(sum.force, comm), algebra::sum_over_ranks(sum.squared_force, comm),
           algebra::sum_over_ranks(sum.moment, comm), algebra::sum_over_ranks(sum.energy, comm)};
 }
+
+double Summary::contact_norms() const {
+  double sum = 0;
+  for (const ObstacleContact& obstacle : obstacles) sum += obstacle.force_norms;
+  return sum;
+}
+
+double Summary::force_scale() const { return std::max({load_norms, contact_norms(), support_norms}); }
+
+double Summary::least_strain() const {
+  if (!(area_modulus > 0)) return 0;
+  constexpr double small = 1e-3;  // part of the energy of initial strains
+  return std::max(force_scale() / area_modulus,
+                  std::sqrt(2 * small * initial_energy / (area_modulus * least_thickness)));
+}
+
+double Summary::least_energy() const { return area_modulus * least_thickness * std::pow(least_strain(), 2) / 2; }
 
 void take_moments_about(const Vector3d& point, Summary& summary) {
   const Vector3d by = point - summary.moment_point;

@@ -16,6 +16,7 @@ namespace plastron::solution {
 struct ObstacleContact {
   std::string name{};
   Wrench reaction{};
+  double force_norms = 0;  ///< sum of the norms of its nodal forces, which do not cancel [N]
   double area = 0;         ///< mid-surface area within the boundaries of its zones [m^2]
   std::int64_t nodes = 0;  ///< number of nodes that touch it
   Vector3d translation =
@@ -50,10 +51,14 @@ struct Summary {
   /// Largest principal strain gamma +- e/2 chi at the faces, by absolute value, at quadrature points.
   double max_strain = 0;
   double rounding_energy = 0;  ///< energy that rounding alone may produce [J]
+  double rigid_energy = 0;     ///< energy of strains as large as displacements over the shell's size [J]
+  double initial_energy = 0;   ///< 1/2 int N_0 : gamma_0 + M_0 : chi_0, the energy of the initial strains [J]
   double tangency_energy = 0;  ///< energy of the penalty or stabilisation [J]
   double multiplier_norm = 0;  ///< (int a^{ab} d_a lambda d_b lambda dS)^{1/2} [N m]; 0 unless mixed
   std::int64_t touching_nodes = 0;
-  double load_norms = 0;  ///< sum of |nodal load|, couples divided by the shell's size [N]
+  double load_norms = 0;     ///< sum of |nodal load|, couples divided by the shell's size [N]
+  double support_norms = 0;  ///< sum of the norms of nodal forces of supports [N]
+  double area_modulus = 0;   ///< int E dS [N]
   /// True if bounds are lifted so that the shell does not enter obstacles between nodes either.
   bool is_admissible_wanted = false;
   double largest_lift = 0;  ///< largest lift of a bound of a gap at a node [m]
@@ -68,6 +73,18 @@ struct Summary {
   std::vector<BodyReaction> body_reactions{};        ///< in the order of the case
   std::vector<ObstacleContact> obstacles{};          ///< in the order of the problem
   EdgeContact edge;                                  ///< part of the contact on edges of the shell
+
+  /// Sum of the norms of the obstacles' nodal forces [N].
+  double contact_norms() const;
+  /// The largest sum of norms, of loads, obstacles or supports [N]. Forces that are much smaller vanish.
+  double force_scale() const;
+  /// Strain that is too small for the model: the one through the thickness under the forces, which the model neglects, and a part of
+  /// the initial strains.
+  double least_strain() const;
+  /// Displacement of this strain over the thickness [m].
+  double least_displacement() const { return least_strain() * least_thickness; }
+  /// Energy of this strain [J]. The energy of a shell at rest is smaller.
+  double least_energy() const;
 };
 
 /// Computes the totals, with moments about the origin, from the solution's residual() and body_balance(). What must be
