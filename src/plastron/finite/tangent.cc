@@ -71,8 +71,8 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
   const element::Sampling& sampling = sampling_of_12(tables);
   k.of_u += of_gradients(sampling.basis, at_samples(sampling, compressive));
   const Eigen::MatrixX3d moments = stresses.middleCols<3>(3);
-  k.of_u_and_r += is_exact ? of_gradients(tables.quadrature, moments)
-                           : of_gradients(sampling.basis, at_samples(sampling, moments));
+  k.of_u_and_r +=
+      is_exact ? of_gradients(tables.quadrature, moments) : of_gradients(sampling.basis, at_samples(sampling, moments));
   return k;
 }
 

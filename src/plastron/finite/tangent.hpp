@@ -19,7 +19,8 @@ using assembly::CellStrain;
 struct Prestress {
   std::vector<CellStrain> stresses{};     ///< N, M, Q times area at the quadrature points of owned cells
   std::vector<double> contact_couples{};  ///< couples of contact forces along the directors of owned nodes [N m]
-  bool is_exact = false;  ///< compressive N, and M, act at the points of their own strains: the derivative of the residual
+  bool is_exact =
+      false;  ///< compressive N, and M, act at the points of their own strains: the derivative of the residual
 };
 
 /// Returns no stresses and couples: the tangent stiffness is then that of the material.
