@@ -21,7 +21,7 @@ using computation::StoredSolution;
 using problem::Problem;
 using testing::HasSubstr;
 
-constexpr std::size_t header_bytes = 80 + 16, head_bytes = 64;  // one obstacle
+constexpr std::size_t header_bytes = 88 + 16, head_bytes = 64;  // one obstacle
 
 SolutionShape shape_of(const Problem& problem) {
   return {.obstacles = static_cast<int>(problem.shell.obstacles.all.size()),

@@ -57,12 +57,25 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
 
 namespace {
 
+/// Removes the rows that hold nodes of rigid bodies from the supports of a deformed shell. They were compared with the bodies at the
+/// undeformed shell. Away from it the linear motion of a body and its nodes differ at second order.
+void leave_to_bodies(const fem::Space& space, std::vector<NodeSupport>& supports) {
+  for (const fem::PlacedBody& placed : space.bodies)
+    for (const fem::BodyNode& member : placed.members) {
+      if (member.node >= space.layout->owned) continue;
+      NodeSupport& support = supports[static_cast<std::size_t>(member.node)];
+      support.displacement.clear();
+      if (placed.body.turns_normals) support.rotation.clear();
+    }
+}
+
 /// Adds what depends on the state with finite rotations: places of nodes and bodies, coordinates of increments, loads on bodies.
 void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Space> space,
                         std::vector<NodeSupport> supports) {
   State increments = discrete.state;
   increments.displacement = {};
   algebra::Vector& y = discrete.state.displacement;
+  if (discrete.state.is_deformed() && algebra::max_abs(y) > 0) leave_to_bodies(*space, supports);
   y = discrete.state.is_deformed() ? with_kept_lengths(discrete.space(), discrete.points, std::move(y))
                                    : algebra::Vector(discrete.space().layout, 6);
   discrete.moved = moved_points(discrete.points, y);

@@ -23,10 +23,7 @@ constexpr std::size_t most_points = 4096;
 class CellPoints {
  public:
   CellPoints(const assembly::DiscreteShell& discrete, const algebra::Vector& y) : discrete_(discrete), y_(y) {
-    for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) {
-      now_.push_back(discrete.obstacles.now(k));
-      ways_.push_back(now_[k].placement.translation - discrete.obstacles_at_start.all[k].placement.translation);
-    }
+    for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) now_.push_back(discrete.obstacles.now(k));
   }
 
   /// Looks at points of a cell, whose gaps to an obstacle are asked next.
@@ -48,17 +45,9 @@ class CellPoints {
   std::size_t size() const { return frames_.size(); }
   Vector2d x(std::size_t p) const { return {px_[p], py_[p]}; }
   double thickness(std::size_t p) const { return thickness_[p]; }
-  /// The gap at a point. If the shell has passed through the obstacle, the gap is at most minus the thickness.
+  /// The gap at a point.
   obstacle::FaceGap gap(std::size_t obstacle, std::size_t p) const {
-    const Vector3d& a3 = frames_[p].a3;
-    const obstacle::ShellPoint at = point(p);
-    obstacle::FaceGap gap = discrete_.obstacles.true_gap(obstacle, now_[obstacle], at);
-    if (!may_pass(obstacle, at)) return gap;
-    const obstacle::Passage passage = obstacle::passage(now_[obstacle], at.phi + ways_[obstacle], at.phi + at.u,
-                                                        at.is_turned ? Vector3d(a3 + at.r) : a3);
-    gap.clearance = std::min(gap.clearance, passage.clearance);
-    if (passage.is_through) gap.distance = std::min(gap.distance, -at.thickness);
-    return gap;
+    return discrete_.obstacles.true_gap(obstacle, now_[obstacle], point(p));
   }
   /// The largest distance from point p to points of the cell whose coordinates differ by at most `half`, with a
   /// reserve for strains and curvature.
@@ -117,24 +106,11 @@ class CellPoints {
     if (!now_[obstacle].is_searched()) return;
     discrete_.obstacles.prepare_gaps(body(obstacle), size(),
                                      [&](std::size_t p) { return undeformed_if_linear(point(p)); });
-    std::vector<Vector3d> starts;
-    for (std::size_t p = 0; p < size(); ++p)
-      if (may_pass(obstacle, point(p))) starts.push_back(frames_[p].phi + ways_[obstacle]);
-    now_[obstacle].prepare(starts);
-  }
-
-  /// Whether the mid-surface moved by more than half of the thickness relative to the obstacle. The path counts as
-  /// straight; moving obstacles advance in steps.
-  bool may_pass(std::size_t obstacle, const obstacle::ShellPoint& at) const {
-    return !discrete_.obstacles.are_linear && !now_[obstacle].is_plane() &&
-           discrete_.obstacles_at_start.all[obstacle].motions.empty() &&
-           (at.u - ways_[obstacle]).norm() > at.thickness / 2;
   }
 
   const assembly::DiscreteShell& discrete_;
   const algebra::Vector& y_;
   std::vector<obstacle::Obstacle> now_{};
-  std::vector<Vector3d> ways_{};  ///< displacements of obstacles pressed by forces
   std::vector<geometry::Frame> frames_{};
   std::vector<double> px_{}, py_{}, thickness_{};
   element::CellField values_{};

@@ -16,18 +16,6 @@ namespace plastron::certificate {
 
 namespace {
 
-/// Removes the cells at rigid bodies: no bound keeps a body's nodes out of obstacles. BodyReaction contains their
-/// depth.
-void leave_out_bodies(const fem::Space& space, std::vector<CellGap>& cells) {
-  if (space.bodies.empty()) return;
-  std::vector<char> is_of_body(static_cast<std::size_t>(space.layout->local_size()));
-  for (const fem::PlacedBody& body : space.bodies)
-    for (const fem::BodyNode& member : body.members) is_of_body[static_cast<std::size_t>(member.node)] = 1;
-  std::erase_if(cells, [&](const CellGap& cell) {
-    return std::ranges::any_of(space.nodes(cell.cell), [&](algebra::LocalIndex node) {
-      return is_of_body[static_cast<std::size_t>(node)] != 0;
-    });
-  });
 }
 
 /// Owned nodes pushed by an obstacle along the shell out of a place deep inside it.
@@ -58,6 +46,16 @@ PushedSideways pushed_sideways(const assembly::DiscreteShell& discrete, const so
 
 }  // namespace
 
+std::vector<char> cells_of_bodies(const fem::Space& space) {
+  std::vector<char> marks(space.owned_cells), is_of_body(static_cast<std::size_t>(space.layout->local_size()));
+  for (const fem::PlacedBody& body : space.bodies)
+    for (const fem::BodyNode& member : body.members) is_of_body[static_cast<std::size_t>(member.node)] = 1;
+  for (std::size_t cell = 0; cell < marks.size() && !space.bodies.empty(); ++cell)
+    marks[cell] = std::ranges::any_of(
+        space.nodes(cell), [&](algebra::LocalIndex node) { return is_of_body[static_cast<std::size_t>(node)] != 0; });
+  return marks;
+}
+
 std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                                     solution::Summary& summary) {
   std::vector<CellGap> entered;
@@ -66,7 +64,8 @@ std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, con
   constexpr double nowhere = std::numeric_limits<double>::infinity();
   auto cells =
       algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return searched_gaps(discrete, solution.y); });
-  leave_out_bodies(discrete.space(), cells);
+  const std::vector<char> of_bodies = cells_of_bodies(discrete.space());  // BodyReaction contains their depth
+  std::erase_if(cells, [&](const CellGap& cell) { return of_bodies[cell.cell] != 0; });
   for (std::size_t k = 0; k < summary.obstacles.size(); ++k) {
     solution::ObstacleContact& contact = summary.obstacles[k];
     Eigen::Vector2d at(nowhere, nowhere);

@@ -8,6 +8,9 @@
 
 namespace plastron::certificate {
 
+/// Marks the owned cells at rigid bodies: no bound keeps a body's nodes out of obstacles.
+std::vector<char> cells_of_bodies(const fem::Space& space);
+
 /// Searches the least gap to each obstacle in the cells of all ranks and writes it to `summary` with its place. Cells at
 /// rigid bodies do not count. Returns this rank's cells with a gap below 0 (collective).
 std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,

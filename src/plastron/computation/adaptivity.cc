@@ -164,7 +164,11 @@ std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space&
     };
     if (cell.gap < allowed && std::ranges::all_of(space.nodes(cell.cell), is_outside)) entered_.push_back(cell.cell);
   }
+  if (result.passing && result.passing->cells > 0)
+    entered_.insert(entered_.end(), solution.crossed.begin(), solution.crossed.end());
   if (algebra::sum_over_ranks(static_cast<std::int64_t>(entered_.size()), space.layout->comm) == 0) return {};
+  if (result.passing && result.passing->cells > 0)
+    return fmt::format("{} may have passed through the shell on the path from the start", result.passing->place);
   const auto limits = certificate::certificate_limits({.summary = result.summary, .certificate = result.certificate},
                                                       result.formulation);
   const auto row = std::ranges::find(limits, "min_gap_between", &certificate::CertificateLimit::row);

@@ -1,17 +1,18 @@
 #include <plastron/computation/approach.hpp>
 
 #include <plastron/computation/evaluation.hpp>
-#include <plastron/computation/passage.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace plastron::computation {
 
 namespace {
+
+using enum contact::Status;
 
 /// Warns that an instant on the way has no solution, or one that misses a limit.
 void tell_missed(Run& run, const problem::Instant& instant) {
@@ -20,49 +21,93 @@ void tell_missed(Run& run, const problem::Instant& instant) {
   run.warn({run.missed_between});
 }
 
-/// Solves an intermediate instant whose results are not requested.
-bool solve_between(Run& run, const problem::Instant& instant, const LevelTask& task,
-                   std::unique_ptr<assembly::DiscreteShell> discrete) {
-  Result& result = run.result;
+/// Solves an instant on the way whose results are not requested.
+Attempt attempted_between(Run& run, const problem::Instant& instant, const Departure& departure, double part,
+                          const Pace& pace) {
+  LevelTask task = run.task(run.last_level());
+  auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
   LevelResult level = solve_level(task, std::move(discrete), run.observer);
-  result.status = level.record.status;
-  if (result.status == contact::Status::interrupted) return false;
-  if (result.levels.empty() && result.status != contact::Status::solved) result.levels.push_back(level.record);
+  run.search_path(level);
+  Attempt attempt = judged(level, part, pace);
+  run.result.status = level.record.status;
+  if (run.result.status == interrupted) return {};
+  if (!attempt.is_accepted && attempt.may_go_on) {
+    run.result.solution = std::move(level.solution);
+    return attempt;
+  }
   run.take(std::move(level));
   run.before.reset();
-  judge_certificate(result);
-  if (result.status == contact::Status::solved) return true;
-  tell_missed(run, instant);
-  return result.status == contact::Status::inaccurate;
+  judge_certificate(run.result);
+  if (run.result.status != solved) tell_missed(run, instant);
+  attempt.may_go_on = run.result.status == solved || run.result.status == inaccurate;
+  return attempt;
 }
 
-/// The same, from the solution at hand.
-bool solve_between(Run& run, const problem::Instant& instant) {
-  LevelTask task = run.task(run.last_level());
-  auto discrete =
-      run.relinearised(run.continued_at(instant), contact_trend(*run.solution().discrete, run.solution().nodal), task);
-  return solve_between(run, instant, task, std::move(discrete));
+/// Whether one part from the undeformed shell does not show where the path leads.
+bool needs_parts(const LevelResult& level) {
+  const Level& record = level.record;
+  if (record.status == interrupted) return false;
+  if (level.passes) return true;
+  if (!level.solution.discrete->has_finite_rotations()) return false;
+  return record.has_jumped || record.has_lost_stiffness || (record.status != infeasible && record.status != solved);
+}
+
+/// Goes to an instant in parts from the undeformed shell; empty if that fails.
+std::optional<LevelResult> solved_in_parts(Run& run, const problem::Instant& to, const LevelTask& task,
+                                           std::unique_ptr<assembly::DiscreteShell> discrete, const Pace& pace) {
+  const problem::Instant start = problem::start(run.problem);
+  run.rest_at(start, std::move(discrete));
+  std::optional<LevelResult> last;
+  const auto solve = [&](const problem::Instant& instant, const Departure& departure, double part) {
+    LevelTask now = &instant == &to ? task : run.task(run.last_level());
+    if (&instant != &to) now.admissible = false;
+    LevelResult level =
+        solve_level(now, run.relinearised(run.state_at(instant, departure), departure.trend, now), run.observer);
+    run.search_path(level);
+    const Attempt attempt = judged(level, part, pace);
+    if (level.record.status == interrupted || (attempt.is_accepted && level.passes)) return Attempt{};
+    if (attempt.is_accepted && &instant == &to)
+      last = std::move(level);
+    else if (attempt.is_accepted)
+      run.take(std::move(level));
+    else
+      run.result.solution = std::move(level.solution);
+    return attempt;
+  };
+  go_in_parts(run, start, to, pace, solve);
+  return last;
 }
 
 }  // namespace
 
-bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, double done) {
-  for (;;) {
-    done = next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done);
-    if (done == 1) return true;
-    if (run.is_interrupted() || !solve_between(run, problem::between(from, to, done))) return false;
-  }
+LevelResult solved_from_start(Run& run, const problem::Instant& to, LevelTask task,
+                              std::unique_ptr<assembly::DiscreteShell> discrete) {
+  const problem::Instant start = problem::start(run.problem);
+  run.path.restart();
+  const auto in_parts = [&](const assembly::DiscreteShell& shell, double part) {
+    Pace pace = from_start;
+    pace.first = part;
+    auto level = solved_in_parts(run, to, task, std::make_unique<assembly::DiscreteShell>(shell), pace);
+    if (!level) run.path.restart();
+    return level;
+  };
+  const double first = next_part(*discrete, algebra::Vector(discrete->space().layout, 6), start, to, 0);
+  if (first < 1)
+    if (auto level = in_parts(*discrete, first)) return std::move(*level);
+  LevelResult direct = solve_level(task, std::move(discrete), run.observer);
+  run.search_path(direct);
+  if (first == 1 && needs_parts(direct))
+    if (auto level = in_parts(*direct.solution.discrete, from_start.first)) return std::move(*level);
+  return direct;
 }
 
-bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to) {
-  if (run.problem.steps.empty()) return true;
-  const problem::Instant start = problem::start(run.problem);
-  const double first = next_part(*discrete, algebra::Vector(discrete->space().layout, 6), start, to, 0);
-  if (first == 1) return true;
-  const problem::Instant instant = problem::between(start, to, first);
-  linearise(*discrete, run.state_at(instant));
-  return solve_between(run, instant, run.task(run.last_level()), std::move(discrete)) &&
-         approach(run, start, to, first);
+bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, const Solve& solve) {
+  const Pace pace = pace_of(to);
+  return go_in_parts(
+      run, from, to, pace, [&](const problem::Instant& instant, const Departure& departure, double part) {
+        const bool is_asked = &instant == &to || to.chooses_parts;
+        return is_asked ? solve(instant, departure, part) : attempted_between(run, instant, departure, part, pace);
+      });
 }
 
 }  // namespace plastron::computation

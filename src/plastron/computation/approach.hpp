@@ -1,18 +1,19 @@
-// Intermediate instants for moving obstacles. Solved in one step, an obstacle could pass through the shell: it would then
-// touch the far side or nothing. Instants between are solved so that each motion is short.
+// The path to an instant whose results are requested: instants between are solved where an obstacle could pass through the
+// shell, where the shell snaps or where no equilibrium is found in one part.
 #pragma once
-#include <plastron/computation/run.hpp>
+#include <plastron/computation/step_control.hpp>
 
 #include <memory>
 
 namespace plastron::computation {
 
-/// Solves intermediate instants from the solution at hand, after the part `done` of the way between two instants
-/// (collective).
-bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, double done = 0);
+/// Solves an instant from the undeformed shell `discrete`. If an obstacle may pass or a motion loses its stiffness in one part, it
+/// goes there in parts; where parts do not help, the result is that of one part (collective).
+LevelResult solved_from_start(Run& run, const problem::Instant& to, LevelTask task,
+                              std::unique_ptr<assembly::DiscreteShell> discrete);
 
-/// The same, starting from the undeformed shell `discrete`. It stays if no instant is needed; otherwise it becomes the
-/// shell of the solution at hand (collective).
-bool approach_from_start(Run& run, std::unique_ptr<assembly::DiscreteShell>& discrete, const problem::Instant& to);
+/// Goes from the solution at hand to an instant. `solve` solves it, and the instants before it if the step chooses its parts
+/// (collective).
+bool approach(Run& run, const problem::Instant& from, const problem::Instant& to, const Solve& solve);
 
 }  // namespace plastron::computation

@@ -55,6 +55,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
+  run.has_lost_stiffness = run.has_lost_stiffness || lost_stiffness;
   const double way = lost_stiffness ? largest_way(nodal.y, discrete.state.displacement) : 0;
   const double whole = solution::largest_displacement(discrete.state.displacement);
   run.has_jumped = run.has_jumped || (way > far_beyond * predicted && way > large_part * whole);

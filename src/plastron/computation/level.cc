@@ -141,6 +141,7 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   record.factorisations = run.factorisations;
   record.linearisations = run.linearisations;
   record.has_jumped = run.has_jumped;
+  record.has_lost_stiffness = run.has_lost_stiffness;
   record.is_control_blind = run.is_control_blind;
   record.lift_rounds = lifted.rounds;
   record.energy_before_lifts = lifted.energy_before.value_or(record.energy);
@@ -148,7 +149,11 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   Solution solution{
       .discrete = run.take(), .nodal = std::move(nodal), .box = std::move(z), .entered = std::move(verdict.entered)};
   if (estimates) solution.cell_errors = estimates->cells;
-  return {std::move(record), std::move(solution), std::move(verdict), std::move(estimates), std::move(values)};
+  return {.record = std::move(record),
+          .solution = std::move(solution),
+          .verdict = std::move(verdict),
+          .estimates = std::move(estimates),
+          .values = std::move(values)};
 }
 
 }  // namespace plastron::computation

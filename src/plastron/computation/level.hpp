@@ -15,6 +15,8 @@ struct LevelResult {
   Solution solution;
   certificate::Verdict verdict;
   std::optional<estimation::Estimates> estimates{};  ///< if requested, for a solution that was found
+  std::optional<Passing> passing{};                  ///< set by Run::search_path()
+  bool passes = false;                               ///< an obstacle may have passed for the first time
   std::vector<double> values{};                      ///< values of LevelTask::valued, if a solution was found
 };
 

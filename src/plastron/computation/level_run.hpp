@@ -34,7 +34,7 @@ class LevelRun {
 
   Seconds seconds;
   int factorisations = 0, linearisations = 0;
-  bool has_jumped = false, is_control_blind = false;  ///< see Level
+  bool has_jumped = false, has_lost_stiffness = false, is_control_blind = false;  ///< see Level
   std::vector<contact::Iteration> history{};
 
   /// Solves the contact problem of the present linearisation, starting from the expected zone; null if there is none.

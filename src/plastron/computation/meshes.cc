@@ -44,9 +44,10 @@ bool Meshes::solve() {
 }
 
 bool Meshes::reach_accuracy(const problem::Instant& instant) {
-  if (!run_.problem.accuracy || are_ahead_) return true;
-  Result& result = run_.result;
   const bool is_first = &instant == &run_.instants.front();
+  // Where an obstacle may have passed, finer meshes of a later instant do not help.
+  if (!run_.problem.accuracy || are_ahead_ || (run_.path.is_broken && !is_first)) return true;
+  Result& result = run_.result;
   const auto is_to_come = [&](const problem::Instant& other) { return other.time > instant.time; };
   const auto to_come = static_cast<int>(std::ranges::count_if(run_.instants, is_to_come));
   AccuracyLoop loop(run_.problem, run_.since_start, to_come);
@@ -86,19 +87,19 @@ bool Meshes::solve_next(const problem::Instant& instant) {
       number == run_.problem.discretisation.refinements && run_.instants.size() == 1 && !instant.control;
   if (run_.problem.accuracy || is_end) task.goals = run_.goals();
   assembly::State start = run_.state_at(instant);
+  const bool is_first = &instant == &run_.instants.front();
+  const bool is_anew = number == 0 || (is_first && run_.result.passing.value_or(Passing{}).cells > 0);
   if (number > 0) refine(task, start);
+  if (is_anew) {
+    start = run_.state_at(instant);
+    task.zone.reset();
+  }
   task.seconds.mesh = watch.lap();
   if (run_.observer.phase) run_.observer.phase(number, "geometry");
   auto discrete = assembly::discretise(sequence_.space(), surface_, run_.problem.shell, std::move(start));
-  if (number == 0 && !approach_from_start(run_, discrete, instant)) {
-    if (result.levels.empty()) result.solution.reset();
-    return false;
-  }
-  if (!discrete)
-    discrete = run_.relinearised(run_.continued_at(instant),
-                                 contact_trend(*run_.solution().discrete, run_.solution().nodal), task);
   task.seconds.discretisation = watch.lap();
-  LevelResult level = solve_level(task, std::move(discrete), run_.observer);
+  LevelResult level = is_anew ? solved_from_start(run_, instant, std::move(task), std::move(discrete))
+                              : solve_level(task, std::move(discrete), run_.observer);
   if (level.record.status == contact::Status::interrupted) return false;  // the previous mesh is the result
   if (run_.observer.level && !run_.problem.accuracy) run_.observer.level(number, level.record);
   if (run_.observer.solution) run_.observer.solution(number, level.solution);
@@ -125,6 +126,8 @@ std::vector<algebra::Vector> Meshes::fields_to_transfer() const {
 
 void Meshes::refine(LevelTask& task, assembly::State& start) {
   std::vector<algebra::Vector> fields = fields_to_transfer();
+  const std::size_t own = fields.size();
+  for (std::size_t i = 1; i < run_.path.stations().size(); ++i) fields.push_back(run_.path.stations()[i].displacement);
   start.positions = run_.positions();
   run_.before.reset();  // its fields belong to this mesh
   // One mesh at a time in memory, except where this may be the last one.
@@ -138,9 +141,15 @@ void Meshes::refine(LevelTask& task, assembly::State& start) {
     sequence_.refine(fields);
   }
   task.zone = interpolated_zone(std::move(fields[0]), fields[1]);
-  if (fields.size() == 2) return;
-  start.displacement = std::move(fields[2]);
-  start.displacement.update_ghosts();
+  if (own > 2) {
+    start.displacement = std::move(fields[2]);
+    start.displacement.update_ghosts();
+  }
+  for (std::size_t i = own; i < fields.size(); ++i) {
+    certificate::Station& station = run_.path.stations()[1 + i - own];
+    station.displacement = std::move(fields[i]);
+    station.displacement.update_ghosts();
+  }
 }
 
 void Meshes::confirm(const problem::Instant& instant) {

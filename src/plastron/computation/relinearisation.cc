@@ -75,7 +75,7 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
         reaches.empty() ? obstacle::true_gap(now, gap, moved) : obstacle::true_gap(now, gap, moved, reaches[row.node]);
     if (touches)
       error.at_contact = std::max(error.at_contact, std::abs(distance - discrete.nodal_gap(k, row.node, solution.y)));
-    error.depth = std::max(error.depth, -distance);
+    error.depth = std::max(error.depth, std::min(0.0, discrete.state.lift(row.node, k)) - distance);
   });
   return error;
 }

@@ -1,6 +1,7 @@
 // The result of a computation: status, summary, certificate, data of its levels and steps, and the last solution.
 #pragma once
 #include <plastron/certificate/certificate_limits.hpp>
+#include <plastron/certificate/crossings.hpp>
 #include <plastron/contact/problem.hpp>
 #include <plastron/estimation/goal_record.hpp>
 #include <plastron/finite/modes.hpp>
@@ -63,6 +64,8 @@ struct Level {
   double max_rotation = 0;           ///< max |r| [rad]
   /// With finite rotations: a motion had no stiffness on the way, and the shell moved far beyond the linear prediction.
   bool has_jumped = false;
+  /// With finite rotations: a motion had no stiffness on the way.
+  bool has_lost_stiffness = false;
   bool is_control_blind = false;  ///< the loads do not move the displacement that is to control them
   /// Membrane forces over those under which a perfect shell buckles (estimation::buckling()), where it was computed.
   std::optional<double> buckling{};
@@ -103,6 +106,15 @@ struct Solution {
   std::vector<double> cell_errors{};
   std::vector<Mode> modes{};                    ///< modes that the case asks for, with shapes
   std::vector<certificate::CellGap> entered{};  ///< this rank's cells with a gap below 0 in some place
+  std::vector<std::size_t> crossed{};           ///< this rank's cells through which an obstacle may have passed
+  /// States of the path from the start to this one that the proof needs, without both ends.
+  std::vector<certificate::Station> path{};
+};
+
+/// Obstacles that may have passed through the shell on its path.
+struct Passing {
+  std::int64_t cells = 0;  ///< number of cells
+  std::string place{};     ///< an obstacle and a place in words
 };
 
 /// The solution at the end of a step, or of a part of one.
@@ -167,6 +179,7 @@ struct Result {
   std::string missed_limits{};
   solution::Summary summary{};
   certificate::Certificate certificate{};
+  std::optional<Passing> passing{};                        ///< empty if no obstacle has a far side
   std::vector<certificate::CertificateLimit> limits{};     ///< limits of the certificate's rows
   std::vector<ProbeValue> probes{};                        ///< equal on every rank
   recovery::StressPeak peak{};                             ///< peak of the last solution

@@ -92,6 +92,10 @@ assembly::State Run::state_at(const problem::Instant& instant, const Departure& 
   start.positions = departure.state.positions;
   start.displacement = departure.state.displacement;
   if (start.control) start.load_factor = departure.state.load_factor;
+  if (instant.overlap > 0 && depths_.layout()) {
+    start.lifts = depths_;
+    for (double& lift : start.lifts.local()) lift *= instant.overlap;
+  }
   return start;
 }
 
@@ -108,7 +112,54 @@ std::unique_ptr<assembly::DiscreteShell> Run::relinearised(assembly::State state
   return discrete;
 }
 
+ContactTrend Run::expected_contact(const problem::Instant* later) {
+  ContactTrend now = contact_trend(*solution().discrete, solution().nodal);
+  if (!later) return now;
+  const std::optional<PreviousInstant> earlier = std::exchange(before, {});
+  if (!at) return now;
+  before = PreviousInstant{at->time, now};
+  if (!earlier || at->step != later->step || earlier->time < at->step) return now;
+  return continued(std::move(now), earlier->trend, (later->time - at->time) / (at->time - earlier->time));
+}
+
+void Run::rest_at(const problem::Instant& start, std::unique_ptr<assembly::DiscreteShell> discrete) {
+  linearise(*discrete, state_at(start));
+  const auto& layout = discrete->space().layout;
+  const algebra::Vector none(layout, discrete->obstacle_block());
+  depths_ = none;
+  for (std::size_t k = 0; k < discrete->coordinates.gaps.size(); ++k)
+    for (std::size_t i = 0; i < discrete->coordinates.gaps[k].size(); ++i)
+      depths_.at(i)[k] = std::min(0.0, discrete->coordinates.gaps[k][i].initial);
+  if (algebra::max_abs(depths_) == 0) depths_ = {};
+  result.solution = Solution{.discrete = std::move(discrete),
+                             .nodal = {.y = algebra::Vector(layout, 6), .pressure = none, .touching = none}};
+}
+
+void Run::search_path(LevelResult& level) {
+  using enum contact::Status;
+  const assembly::DiscreteShell& discrete = *level.solution.discrete;
+  if (!has_path_to_prove(discrete.obstacles)) return;
+  if (level.record.status != solved && level.record.status != inaccurate) return;
+  if (path.is_broken) {
+    level.passing = result.passing;
+    level.solution.crossed = path.crossed;
+    return;
+  }
+  Stopwatch watch;
+  const certificate::Station now = station_of(discrete, level.solution.nodal.y);
+  const std::vector<certificate::Crossing> found = path.crossings_to(discrete, now);
+  level.passing = passing_of(discrete, found, path.stations().back().time, now.time);
+  level.passes = level.passing->cells > 0;
+  for (const certificate::Crossing& crossing : found) level.solution.crossed.push_back(crossing.cell);
+  level.record.seconds.certificate += watch.lap();
+}
+
 void Run::take(LevelResult level) {
+  if (!level.passing) search_path(level);
+  result.passing = level.passing;
+  if (level.passes) path.break_at(level.solution.crossed);
+  if (level.passing && !path.is_broken)
+    path.extend(*level.solution.discrete, station_of(*level.solution.discrete, level.solution.nodal.y));
   result.status = level.record.status;
   result.summary = level.verdict.summary;
   take_moments_about(problem.output.moment_point, result.summary);
@@ -216,6 +267,9 @@ void Run::recover() {
 
 Result Run::finish() {
   if (result.solution) {
+    const auto& stations = path.stations();
+    const auto end = stations.end() - (path.is_broken || stations.size() == 1 ? 0 : 1);
+    result.solution->path.assign(stations.begin() + 1, end);
     if (problem.steps.empty()) {
       judge_certificate(result);
       examine_stability(result, solution());

@@ -2,6 +2,7 @@
 #pragma once
 #include <plastron/computation/contact_forecast.hpp>
 #include <plastron/computation/level.hpp>
+#include <plastron/computation/path.hpp>
 #include <plastron/computation/resources.hpp>
 #include <plastron/problem/instants.hpp>
 #include <plastron/problem/problem.hpp>
@@ -46,6 +47,7 @@ class Run {
   const problem::Instant* at = nullptr;  ///< instant of the latest entry of the history
   /// The instant before that one, if no intermediate instant was solved since.
   std::optional<PreviousInstant> before{};
+  Path path{};  ///< from the undeformed shell to the solution at hand
   Result result{};
   std::string missed_accuracy{};  ///< text on goals that the solution at hand does not meet; with steps, of its instant
   std::string missed_between{};   ///< text on limits that intermediate instants miss
@@ -81,6 +83,11 @@ class Run {
   assembly::State state_at(const problem::Instant& instant, const Departure& departure) const;
   /// Returns an instant between others, which is kept to the end.
   const problem::Instant& keep(problem::Instant instant) { return chosen_.emplace_back(std::move(instant)); }
+  /// Returns the contact of the solution at hand, or the contact expected at a later instant: within a step the trend of contact
+  /// is expected to continue.
+  ContactTrend expected_contact(const problem::Instant* later = nullptr);
+  /// Makes the undeformed shell the solution at hand, with obstacles outside of it (collective).
+  void rest_at(const problem::Instant& start, std::unique_ptr<assembly::DiscreteShell> discrete);
   /// Positions of pressed obstacles for the linearisation there; empty if gaps are linearised at the start.
   std::vector<double> positions() const;
   /// The shell of the solution at hand, linearised at another state; `task` gets the contact zone expected there. There
@@ -88,6 +95,8 @@ class Run {
   std::unique_ptr<assembly::DiscreteShell> relinearised(assembly::State state, const ContactTrend& expected,
                                                         LevelTask& task);
 
+  /// Searches for obstacles that may pass through the shell between the solution at hand and a level (collective).
+  void search_path(LevelResult& level);
   /// Takes a level as the solution at hand.
   void take(LevelResult level);
   /// How the solution at hand was computed.
@@ -114,6 +123,7 @@ class Run {
 
   const Observer& asked_;
   std::deque<problem::Instant> chosen_{};
+  algebra::Vector depths_{};  ///< gaps of the undeformed shell below 0; without layout where there are none [m]
   Level latest_{};
   bool has_jumped_ = false;                ///< since the last entry of the history, or since the start
   std::vector<ProbeValue> before_step_{};  ///< at the end of the last completed step

@@ -8,7 +8,6 @@
 
 #include <plastron/computation/approach.hpp>
 #include <plastron/computation/meshes.hpp>
-#include <plastron/computation/step_control.hpp>
 
 #include <utility>
 
@@ -16,30 +15,20 @@ namespace plastron::computation {
 
 namespace {
 
-/// Returns the contact expected at an instant. Within a step the trend of contact is expected to continue.
-ContactTrend expected_contact(Run& run, const problem::Instant& instant) {
-  ContactTrend now = contact_trend(*run.solution().discrete, run.solution().nodal);
-  const std::optional<PreviousInstant> before = std::exchange(run.before, {});
-  if (!run.at) return now;
-  run.before = PreviousInstant{run.at->time, now};
-  if (!before || run.at->step != instant.step || before->time < run.at->step) return now;
-  return continued(std::move(now), before->trend, (instant.time - run.at->time) / (run.at->time - before->time));
-}
-
-/// Solves an instant on the present mesh from a state with the contact that is expected, and records it unless a shorter part of
-/// the step is to be tried.
-Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, assembly::State start,
-                  const ContactTrend& expected, double part) {
+/// Solves an instant on the present mesh from a departure, and records it unless a shorter part of the step is to be tried.
+Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, const Departure& departure, double part,
+                  const Pace& pace) {
   Stopwatch watch;
   LevelTask task = run.task_after_first_level(run.problem.discretisation.refinements);
   const bool is_judged = run.problem.accuracy || &instant == &run.instants.back();
   if (is_judged && !instant.control) task.goals = run.goals();
-  auto discrete = run.relinearised(std::move(start), expected, task);
+  auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
   task.seconds.discretisation = watch.lap();
   LevelResult level = solve_level(task, std::move(discrete), run.observer);
+  run.search_path(level);
   run.result.status = level.record.status;
-  Attempt attempt = judged(level.record, part);
-  if (run.result.status == contact::Status::interrupted) return attempt;
+  Attempt attempt = judged(level, part, pace);
+  if (run.result.status == contact::Status::interrupted) return {};
   if (!attempt.is_accepted && attempt.may_go_on) {
     run.result.solution = std::move(level.solution);
     return attempt;
@@ -52,19 +41,11 @@ Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, ass
   return attempt;
 }
 
-/// Solves an instant from a state and the contact zone of the solution at hand, and records it.
-bool advance(Run& run, Meshes& meshes, const problem::Instant& instant, assembly::State start) {
-  if (run.is_interrupted()) return false;
-  const ContactTrend expected = expected_contact(run, instant);
-  return attempted(run, meshes, instant, std::move(start), expected, 0).may_go_on;
-}
-
 /// Goes from the instant of the solution at hand to the next one.
 bool advance(Run& run, Meshes& meshes, const problem::Instant& before, const problem::Instant& next) {
-  if (!next.chooses_parts)
-    return run.has_time_for(next) && approach(run, before, next) && advance(run, meshes, next, run.continued_at(next));
-  return go_in_parts(run, before, next, [&](const problem::Instant& instant, const Departure& departure, double part) {
-    return attempted(run, meshes, instant, run.state_at(instant, departure), departure.trend, part);
+  const Pace pace = pace_of(next);
+  return approach(run, before, next, [&](const problem::Instant& instant, const Departure& departure, double part) {
+    return attempted(run, meshes, instant, departure, part, pace);
   });
 }
 

@@ -1,5 +1,5 @@
-// Parts of a step that are chosen by how the iteration goes: shorter where it finds no equilibrium or where the shell jumps to
-// another one, longer where few Newton steps suffice.
+// Parts of a step: shorter where an obstacle may pass through the shell, where the iteration finds no equilibrium or where the
+// shell jumps to another one; longer where few Newton steps suffice.
 #pragma once
 #include <plastron/computation/run.hpp>
 
@@ -14,15 +14,30 @@ struct Attempt {
   int newton_steps = 0;
 };
 
-/// Judges a level at the end of a part of a step of this length. Failures and jumps are rejected as long as a shorter part can be
-/// tried. In the end a jump is accepted: the shell snaps there.
-Attempt judged(const Level& level, double part);
+/// How the parts of a way are chosen.
+struct Pace {
+  double first = 1, longest = 1;         ///< parts of the way
+  double least = 0x1p-10;                ///< not divided further
+  double least_before_jump = 1;          ///< not divided further where the shell jumps
+  double least_before_passing = 0x1p-7;  ///< not divided further where an obstacle may pass
+  bool follows_iteration = false;        ///< few Newton steps lengthen the parts, many shorten them
+};
 
-/// Solves an instant from a departure, after a part of the step of this length. After a rejection there is a solution at hand,
+/// The pace of a step whose parts are chosen, and of one whose parts are given: these are divided only if they fail.
+Pace pace_of(const problem::Instant& to);
+/// The pace from the undeformed shell, where one part has failed.
+inline constexpr Pace from_start{.first = 0.25, .least_before_jump = 0x1p-6, .follows_iteration = true};
+
+/// Judges a level at the end of a part of this length. Failures, jumps and obstacles that may have passed are rejected as
+/// long as a shorter part can be tried. In the end a jump is accepted: the shell snaps there.
+Attempt judged(const LevelResult& level, double part, const Pace& pace);
+
+/// Solves an instant from a departure, after a part of the way of this length. After a rejection there is a solution at hand,
 /// which nothing uses.
 using Solve = std::function<Attempt(const problem::Instant& instant, const Departure& departure, double part)>;
 
 /// Goes from the solution at hand, that of `from`, to another instant (collective).
-bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant& to, const Solve& solve);
+bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant& to, const Pace& pace,
+                 const Solve& solve);
 
 }  // namespace plastron::computation

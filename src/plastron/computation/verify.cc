@@ -4,12 +4,14 @@
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/level.hpp>
 #include <plastron/computation/membership.hpp>
+#include <plastron/computation/path.hpp>
 #include <plastron/computation/warnings.hpp>
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/instants.hpp>
 #include <plastron/solution/summary.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace plastron::computation {
@@ -72,6 +74,13 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
   press(*found.discrete, ways);
   Verification verification{.result = measured_result(problem, std::move(found))};
   Result& result = verification.result;
+  const assembly::DiscreteShell& discrete = *result.solution->discrete;
+  if (has_path_to_prove(discrete.obstacles)) {
+    std::vector<certificate::Station> stations(1);
+    std::ranges::move(solution.path, std::back_inserter(stations));
+    stations.push_back(station_of(discrete, result.solution->nodal.y));
+    result.passing = proven_again(discrete, stations);
+  }
   judge_certificate(result);
   examine_stability(result, *result.solution);
   verification.membership =

@@ -19,6 +19,7 @@ struct StoredSolution {
   assembly::State state{};     ///< state at which its gaps are linearised
   std::vector<double> ways{};  ///< distances by which forces have moved each obstacle since then [m]
   solution::NodalSolution nodal{};
+  std::vector<certificate::Station> path{};  ///< states of the path to it, without both ends
 };
 
 struct FinestMesh {

@@ -50,7 +50,27 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .time = state.time,
           .load_factor = state.load_factor,
           .support_factor = state.support_factor,
-          .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size())};
+          .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size()),
+          .path_states = static_cast<std::int64_t>(solution.path.size())};
+}
+
+/// Returns the first values of each node, or these and zeros.
+algebra::Vector with_block(const algebra::Vector& field, int block) {
+  algebra::Vector result(field.layout(), block);
+  const auto from = static_cast<std::size_t>(field.block()), to = static_cast<std::size_t>(block);
+  for (std::size_t i = 0; i * to < result.local().size(); ++i)
+    std::copy_n(field.local().data() + i * from, std::min(from, to), result.local().data() + i * to);
+  return result;
+}
+
+/// The numbers of the path before the cells.
+std::vector<double> flat_path(const computation::Solution& solution) {
+  std::vector<double> list;
+  for (const certificate::Station& station : solution.path) {
+    list.push_back(station.time);
+    list.insert(list.end(), station.positions.begin(), station.positions.end());
+  }
+  return list;
 }
 
 /// The vectors of a node's values, in the order of the file. Ghosts have exactly their owners' values: a node has
@@ -58,6 +78,7 @@ SolutionHeader header_of(const computation::Solution& solution) {
 struct NodeFields {
   explicit NodeFields(const computation::Solution& solution) {
     const solution::NodalSolution& nodal = solution.nodal;
+    for (const certificate::Station& station : solution.path) add(with_block(station.displacement, 3));
     add(nodal.y);
     if (solution.discrete->state.is_deformed()) add(solution.discrete->state.displacement);
     if (nodal.lambda.layout()) add(nodal.lambda);
@@ -97,6 +118,8 @@ void add_solution(const computation::Solution& solution, const std::filesystem::
       }
       const std::vector<double> cuts = flat_cuts(space.coarse->cuts);
       append_bytes(text, cuts.data(), cuts.size() * sizeof(double));
+      const std::vector<double> states = flat_path(solution);
+      append_bytes(text, states.data(), states.size() * sizeof(double));
     }
     for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
       const CellHead head = cell_head(space, cell);
@@ -156,7 +179,7 @@ class SolutionFile : public BinaryFile {
  private:
   void check_format() const {
     constexpr std::uint32_t most_obstacles = 10000;
-    constexpr std::int64_t most_cut_numbers = 1 << 24;
+    constexpr std::int64_t most_cut_numbers = 1 << 24, most_path_states = 1 << 16;
     const SolutionHeader ours;
     if (header_.magic != ours.magic) refuse("the file is not a solution of Plastron: it begins differently");
     if (header_.version != ours.version)
@@ -166,6 +189,7 @@ class SolutionFile : public BinaryFile {
                           header_.degree <= 8 && header_.obstacles <= most_obstacles && header_.has_multiplier <= 1 &&
                           header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
                           header_.cut_numbers >= 0 && header_.cut_numbers <= most_cut_numbers &&
+                          header_.path_states >= 0 && header_.path_states <= most_path_states &&
                           std::isfinite(header_.time) && std::isfinite(header_.load_factor) &&
                           std::isfinite(header_.support_factor);
     if (!is_sound) refuse("the header contains impossible values");
@@ -190,10 +214,24 @@ class SolutionReader {
         refuse(fmt::format("the position of an obstacle is not finite, or beyond {:g}", largest_value));
     }
     file_.skip(static_cast<std::size_t>(header_.cut_numbers) * sizeof(double));
+    path_.resize(header_.path_numbers());
+    file_.read(path_.data(), path_.size() * sizeof(double));
+    for (const double number : path_)
+      if (!(std::abs(number) <= largest_value))
+        refuse(fmt::format("a time or a position on the path is not finite, or beyond {:g}", largest_value));
   }
 
   const SolutionHeader& header() const { return header_; }
   const std::vector<ObstacleRecord>& obstacles() const { return obstacles_; }
+  /// Times and positions of the states on the path.
+  std::vector<certificate::Station> path() const {
+    std::vector<certificate::Station> stations;
+    for (std::size_t at = 0; at < path_.size(); at += 1 + header_.obstacles)
+      stations.push_back({.time = path_[at],
+                          .positions = {path_.begin() + static_cast<std::ptrdiff_t>(at) + 1,
+                                        path_.begin() + static_cast<std::ptrdiff_t>(at + 1 + header_.obstacles)}});
+    return stations;
+  }
 
   /// Calls take(node, values) for each node of each cell that this rank owns.
   template <class Take>
@@ -260,6 +298,7 @@ class SolutionReader {
   const fem::Space& space_;
   const SolutionShape& shape_;
   std::vector<ObstacleRecord> obstacles_{};
+  std::vector<double> path_{};
 };
 
 /// Returns the vectors of a node's values, in the order of the file.
@@ -272,6 +311,7 @@ std::vector<algebra::Vector*> fields_of_file(const SolutionHeader& header, compu
   };
   solution::NodalSolution& nodal = solution.nodal;
   const int obstacles = static_cast<int>(header.obstacles);
+  for (certificate::Station& station : solution.path) add(station.displacement, 3, true);
   add(nodal.y, 6, true);
   if (header.is_deformed) add(solution.state.displacement, 6, true);
   if (header.has_multiplier) add(nodal.lambda, 1, true);
@@ -312,6 +352,7 @@ computation::MeshCells stored_cells(const std::filesystem::path& path, MPI_Comm 
     file.skip(file.header().obstacles * sizeof(ObstacleRecord));
     std::vector<double> list(static_cast<std::size_t>(file.header().cut_numbers));
     file.read(list.data(), list.size() * sizeof(double));
+    file.skip(file.header().path_numbers() * sizeof(double));
     auto cuts = cuts_of_list(list);
     if (!cuts || cells_of(*cuts) > file.header().cells) file.refuse("its list of cuts of coarse cells is invalid");
     computation::MeshCells cells{.cuts = std::move(*cuts)};
@@ -339,6 +380,7 @@ computation::StoredSolution read_solution(const std::filesystem::path& path,
     solution.state.positions.push_back(position);
     solution.ways.push_back(way);
   }
+  solution.path = reader->path();
   const auto fields = fields_of_file(reader->header(), solution, layout);
   std::vector<char> is_read(static_cast<std::size_t>(layout->local_size()), 0);
   algebra::in_agreement<UnusableResults>(layout->comm, [&] {
@@ -355,6 +397,7 @@ computation::StoredSolution read_solution(const std::filesystem::path& path,
     });
   });
   for (algebra::Vector* field : fields) check_ghosts(*field, is_read, *reader);
+  for (certificate::Station& station : solution.path) station.displacement = with_block(station.displacement, 6);
   return solution;
 }
 

@@ -24,7 +24,7 @@ static_assert(std::endian::native == std::endian::little, "the file holds little
 
 struct SolutionHeader {
   std::array<char, 8> magic{'P', 'L', 'A', 'S', 'T', 'R', 'O', 'N'};
-  std::uint32_t version = 3;
+  std::uint32_t version = 4;
   std::uint32_t corners = 4;  ///< corners of a cell
   std::uint32_t degree = 1;
   std::uint32_t obstacles = 0;
@@ -36,13 +36,18 @@ struct SolutionHeader {
   std::int64_t nodes = 0;
   double time = 0, load_factor = 1, support_factor = 1;
   std::int64_t cut_numbers = 0;  ///< length of the list of cuts, see flat_cuts
+  std::int64_t path_states = 0;  ///< states on the path from the start that the proof of the path needs
 
-  /// Number of values: u, r; (u, r) of the linearisation; lambda; eta, touching and lift of every obstacle.
+  /// Number of values: u of each state of the path; u, r; (u, r) of the linearisation; lambda; eta, touching and lift of every
+  /// obstacle.
   std::size_t values_per_node() const {
-    return 6u * (1u + is_deformed) + has_multiplier + (2u + has_lifts) * obstacles;
+    return 3u * static_cast<std::size_t>(path_states) + 6u * (1u + is_deformed) + has_multiplier +
+           (2u + has_lifts) * obstacles;
   }
+  /// Numbers of the path before the cells: time and positions of the obstacles for each state.
+  std::size_t path_numbers() const { return static_cast<std::size_t>(path_states) * (1u + obstacles); }
 };
-static_assert(sizeof(SolutionHeader) == 80);
+static_assert(sizeof(SolutionHeader) == 88);
 
 /// Data of each obstacle, after the header: distance by which its force moved it before the linearisation of its gaps,
 /// and after it [m].
@@ -65,7 +70,7 @@ std::optional<std::vector<mesh::Cuts>> cuts_of_list(std::span<const double> list
 /// Bytes before the first cell.
 inline std::size_t preamble_size(const SolutionHeader& header) {
   return sizeof(SolutionHeader) + header.obstacles * sizeof(ObstacleRecord) +
-         static_cast<std::size_t>(header.cut_numbers) * sizeof(double);
+         (static_cast<std::size_t>(header.cut_numbers) + header.path_numbers()) * sizeof(double);
 }
 
 /// Bytes of a cell.

@@ -16,11 +16,14 @@ Instant between(const Instant& from, const Instant& to, double part) {
               .time = between(from.time, to.time, part),
               .load_factor = between(from.load_factor, to.load_factor, part),
               .support_factor = between(from.support_factor, to.support_factor, part),
-              .control = to.control};
+              .control = to.control,
+              .overlap = between(from.overlap, to.overlap, part)};
   now.part = part == 1 ? to.part : now.time - to.step;
-  for (std::size_t k = 0; k < to.force_factors.size(); ++k)
-    now.force_factors.push_back(
-        between(from.force_factors.empty() ? 1 : from.force_factors[k], to.force_factors[k], part));
+  const auto factor = [](const Instant& instant, std::size_t k) {
+    return instant.force_factors.empty() ? 1 : instant.force_factors[k];
+  };
+  for (std::size_t k = 0; k < std::max(from.force_factors.size(), to.force_factors.size()); ++k)
+    now.force_factors.push_back(between(factor(from, k), factor(to, k), part));
   return now;
 }
 
@@ -30,7 +33,8 @@ constexpr double first_part = 0.125;
 Instant start(const Problem& problem) {
   return {.load_factor = 0,
           .support_factor = 0,
-          .force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 0)};
+          .force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 0),
+          .overlap = 1};
 }
 
 std::vector<Instant> instants(const Problem& problem) {

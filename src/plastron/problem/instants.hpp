@@ -16,12 +16,14 @@ struct Instant {
   double part = 1;                      ///< completed part of the step
   bool chooses_parts = false;           ///< the way to it from the instant before goes in parts that are chosen
   std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
+  /// Part of the depth of the undeformed shell in obstacles that is still left: they come in on the way from the start.
+  double overlap = 0;
 };
 
 /// Returns an instant at `part` of the way from one instant to a later one.
 Instant between(const Instant& from, const Instant& to, double part);
 
-/// Returns the instant before the first step: no loads, no forces, nothing has moved.
+/// Returns the start: no loads, no forces, nothing has moved, and obstacles lie outside of the shell.
 Instant start(const Problem& problem);
 
 /// Returns the instants. In each step, loads, forces and prescribed components change in equal parts from their earlier
