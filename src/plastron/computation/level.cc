@@ -5,6 +5,7 @@
 #include <plastron/computation/finite_solution.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/resources.hpp>
+#include <plastron/computation/unpressed.hpp>
 #include <plastron/contact/solve.hpp>
 
 namespace plastron::computation {
@@ -52,6 +53,15 @@ Found met_with(algebra::Vector lifts, LevelRun& run, const LevelTask& task, cons
   state.positions = run.discrete().positions();
   state.lifts = std::move(lifts);
   linearise(run.discrete(), std::move(state));
+  const algebra::Vector expected = expected_zone(run.discrete(), trend);
+  return met(run, task, &expected, !supports_hold(run.history, task.settings));
+}
+
+/// Solves again with the obstacles whose force is 0, where the solution leaves them. Nothing changes but their gaps.
+Found met_beside(const std::vector<std::size_t>& unpressed, LevelRun& run, const LevelTask& task,
+                 const solution::NodalSolution& before) {
+  const ContactTrend trend = contact_trend(run.discrete(), before);
+  put_back(run.discrete(), unpressed, before.y);
   const algebra::Vector expected = expected_zone(run.discrete(), trend);
   return met(run, task, &expected, !supports_hold(run.history, task.settings));
 }
@@ -112,7 +122,11 @@ Level measured(const assembly::DiscreteShell& discrete, const solution::NodalSol
 LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::DiscreteShell> discrete,
                         const Observer& observer) {
   LevelRun run(task, std::move(discrete), observer);
+  const std::vector<std::size_t> unpressed = unpressed_obstacles(run.discrete());
+  if (!unpressed.empty()) release(run.discrete(), unpressed);
   Found found = met(run, task, task.zone ? &*task.zone : nullptr, true);
+  if (!unpressed.empty() && found.z.status == contact::Status::solved)
+    found = met_beside(unpressed, run, task, found.nodal);
   const Lifted lifted = task.admissible ? lift_bounds(run, task, found) : Lifted{};
   contact::BoxSolution& z = found.z;
   solution::NodalSolution& nodal = found.nodal;

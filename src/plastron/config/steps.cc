@@ -149,7 +149,8 @@ Section move_section() {
                "translation in the whole step"),
            key("force", Kind::number, {.range = {.low = 0}},
                "factor of the obstacle's force at the end of the step. If not given, the factor of the previous step; "
-               "in the first step 1. With 0 the obstacle stays where it is")}};
+               "in the first step 1. With 0 the obstacle exerts no force: the shell springs back, and the obstacle "
+               "stands where the shell leaves it")}};
 }
 
 }  // namespace
