@@ -50,6 +50,35 @@ std::vector<problem::Problem> good_problems() {
   return all;
 }
 
+/// A plate of thickness 0.1 between a floor and a lid that comes down by `way`, `room` apart at the start.
+problem::Problem between_planes(double room, double way) {
+  problem::Problem p = free_plate();
+  p.shell.supports = {held("left", {Direction::x, Direction::y})};
+  p.shell.obstacles.all = {
+      {.name = "floor", .shape = obstacle::HalfSpace{.point = {0, 0, -0.05}}},
+      {.name = "lid", .shape = obstacle::HalfSpace{.point = {0, 0, room - 0.05}, .normal = {0, 0, -1}}}};
+  if (way == 0) return p;
+  p.shell.obstacles.all[1].motions = {{.translation = {0, 0, -way}}};
+  p.steps = {{.name = "down", .parts = 4}};
+  return p;
+}
+
+TEST(Obstacles, nearer_than_the_shell_is_thick_are_named_with_place_and_time) {
+  EXPECT_THAT(errors(between_planes(0.098, 0)),
+              testing::Contains(AllOf(HasSubstr("\"floor\""), HasSubstr("\"lid\""), HasSubstr("leave 0.098 m"))));
+  EXPECT_THAT(errors(between_planes(0.11, 0.02)),
+              testing::Contains(AllOf(HasSubstr("\"lid\""), HasSubstr("time 0.75"))));
+  for (const double way : {0.0, 0.01})
+    for (const std::string& error : errors(between_planes(0.11, way)))
+      EXPECT_THAT(error, testing::Not(HasSubstr("thick")));
+}
+
+TEST(Obstacles, that_are_round_and_leave_no_room_are_a_warning) {
+  problem::Problem p = between_planes(0.11, 0);
+  p.shell.obstacles.all[1].shape = obstacle::Ball{.centre = {0.5, 0.5, 0.24}, .radius = 0.2};
+  EXPECT_THAT(warnings(p), testing::Contains(AllOf(HasSubstr("\"lid\""), HasSubstr("0.09 m"))));
+}
+
 TEST(Weight, that_nothing_pulls_at_is_told_unless_the_shell_shall_vibrate) {
   problem::Problem p = cantilever_plate();
   p.shell.sections.common.density = 7850;

@@ -1,5 +1,6 @@
 #include <plastron/computation/run.hpp>
 
+#include <plastron/computation/contradiction.hpp>
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/model_check.hpp>
 #include <plastron/computation/warnings.hpp>
@@ -290,6 +291,8 @@ Result Run::finish() {
     find_modes();
     warn(mode_warnings(result));
     warn(strain_warnings(result));
+    warn(shear_warnings(result));
+    if (result.status == contact::Status::infeasible) result.missed_limits = contradiction_text(*solution().discrete);
   }
   adopt_worst_status();
   result.peak_memory = peak_memory(comm);

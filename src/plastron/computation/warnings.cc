@@ -22,6 +22,8 @@ constexpr double near_buckling = 0.5;
 constexpr double near_critical = 0.05;
 /// Strain above which measures of strain differ by more than 1 %; metals yield at a tenth of it.
 constexpr double largest_strain = 0.02;
+/// Share of transverse shear in the energy of a body that is no shell.
+constexpr double largest_shear_part = 0.9;
 /// Penetration between nodes that causes a warning, as a part of the thickness.
 constexpr double notable_depth = 0.05;
 /// Factor by which tolerances may be looser than requested without a warning.
@@ -246,6 +248,18 @@ std::vector<std::string> strain_warnings(const Result& result) {
       "the largest strain is {:.2g} %{}: most metals yield at strains of 0.1 to 0.5 %, and the law is linear; compare "
       "stresses with the yield stress, use a smaller load or a program with plasticity",
       100 * strain, stress)};
+}
+
+std::vector<std::string> shear_warnings(const Result& result) {
+  const assembly::Energies& energy = result.summary.energy;
+  const double part = energy.shear / energy.total();
+  if (result.summary.is_unstrained || !(part > largest_shear_part)) return {};
+  return {fmt::format(
+      "{:.3g} % of the energy is transverse shear, and no shell deforms like this: obstacles or supports leave less "
+      "room "
+      "than its thickness, it is nearly as thick as it is wide, or a core is too soft for one director; check the "
+      "obstacles, and use a model of solids where the case is meant",
+      100 * part)};
 }
 
 std::vector<std::string> mode_warnings(const Result& result) {

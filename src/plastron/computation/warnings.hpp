@@ -34,6 +34,8 @@ std::vector<std::string> mode_warnings(const Result& result);
 
 /// Warns of strains beyond the range of the linear material law; needs the stress peak.
 std::vector<std::string> strain_warnings(const Result& result);
+/// Warns of a share of transverse shear that no shell has.
+std::vector<std::string> shear_warnings(const Result& result);
 
 /// Warns if the mesh of the file causes larger errors than asked for or than the discretisation.
 std::vector<std::string> geometry_warnings(const Result& result);

@@ -72,9 +72,10 @@ std::string_view explain(Status status) {
       return "The same active sets came back and the energy could not be lowered beyond rounding; loosen the "
              "tolerances of gap and multiplier, or start from a coarser mesh.";
     case Status::infeasible:
-      return "Some unknown has a lower bound above its upper bound; look for a support that presses the structure into "
-             "an obstacle, for obstacles too close to each other, or for a force that presses one obstacle through the "
-             "structure onto another.";
+      return "There is no room for the structure: obstacles are nearer to each other than it is thick, a support "
+             "presses it "
+             "into an obstacle, or a force presses one obstacle through it onto another; move the obstacles or the "
+             "support, or use a smaller force.";
     case Status::singular:
       return "A motion costs no energy and no bound stops it; add a support that holds the structure.";
     case Status::not_held:
@@ -97,8 +98,8 @@ std::string_view explain(Status status) {
              "load or a finer mesh, or write linearised = true for the gaps of the undeformed shell.";
     case Status::no_equilibrium:
       return "With finite rotations no equilibrium was found near the state from which the steps started: loads or "
-             "obstacles move the structure too far at once, or it can carry no more; let them come in by [[step]]s of "
-             "more parts.";
+             "obstacles move the structure too far at once, also in small parts, or it can carry no more; use smaller "
+             "loads, follow a displacement by `control`, or let obstacles press in place of loads.";
     case Status::unstable:
       return "An equilibrium was found, but it is not stable: some motion lowers the energy, and the structure would "
              "snap away from it; use a smaller load, or let obstacles press it instead of loads.";

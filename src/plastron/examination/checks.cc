@@ -37,6 +37,7 @@ void check_nodes(Examined& examined) {
       check_face(examined, nodes, k);
       check_sides(examined, nodes, k);
     }
+    check_room(examined, nodes);
     check_formulation(examined, nodes);
     check_rigid_motions(examined, nodes);
   } catch (const assembly::SupportError& error) {

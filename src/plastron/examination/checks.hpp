@@ -120,6 +120,8 @@ void check_sides(Examined& examined, const ExaminedNodes& nodes, std::size_t obs
 void check_surfaces(Examined& examined);
 /// Checks that the face that will touch an obstacle is the near one.
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
+/// Checks that two obstacles leave the thickness of the shell free between them.
+void check_room(Examined& examined, const ExaminedNodes& nodes);
 /// Checks that no rigid motion is free, except motions that the loads press onto the obstacle.
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes);
 

@@ -31,7 +31,7 @@ std::string refusal(const computation::Result& result) {
       result.history.empty()
           ? ""
           : fmt::format("in step \"{}\", at time {:g}: ", result.history.back().step, result.history.back().time);
-  return where + std::string(contact::explain(result.status));
+  return where + computation::status_text(result);
 }
 
 }  // namespace plastron::workflow
