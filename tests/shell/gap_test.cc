@@ -238,16 +238,5 @@ TEST(Edge, BeyondTheLastNodeOfTheShellIsNotTouched) {
   }
 }
 
-TEST(Passage, is_through_where_an_obstacle_is_on_the_way_and_not_beside_it) {
-  const Ball ball{.centre = {0, 0, -0.05}, .radius = 0.03};
-  const auto down = [&](double x) {
-    return passage(Obstacle{.shape = ball}, {x, 0, 0}, {x, 0, -0.1}, Vector3d::UnitZ());
-  };
-  EXPECT_TRUE(down(0.01).is_through);
-  EXPECT_FALSE(down(0.04).is_through);
-  EXPECT_NEAR(down(0.04).clearance, 0.01, 1e-9);
-  EXPECT_FALSE(passage(Obstacle{.shape = ball}, {0, 0, 0}, {0.2, 0, 0}, Vector3d::UnitZ()).is_through);
-}
-
 }  // namespace
 }  // namespace plastron::obstacle

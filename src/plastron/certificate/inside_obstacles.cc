@@ -14,9 +14,7 @@
 
 namespace plastron::certificate {
 
-namespace {
-
-}
+namespace {}
 
 /// Owned nodes pushed by an obstacle along the shell out of a place deep inside it.
 struct PushedSideways {

@@ -233,16 +233,6 @@ void prepare_gaps(const Obstacle& obstacle, std::span<const ShellPoint> points) 
   obstacle.prepare(places);
 }
 
-Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
-  const Nearest first = obstacle.nearest(from), last = obstacle.nearest(to);
-  const double before = first.normal.dot(normal), after = last.normal.dot(normal);
-  if (!(before * after < 0)) return {};
-  const HalfFibre way{from, (to - from).normalized(), (to - from).norm()};
-  return {.clearance = nearest_beside(obstacle, way).distance,
-          .is_through = first.distance > 0 && std::min(std::abs(before), std::abs(after)) > -sideways &&
-                        crossing(obstacle, from, way.outward, way.length)};
-}
-
 FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at) { return face_gap(obstacle, at, nullptr); }
 
 Gap gap_at(const Obstacle& obstacle, const ShellPoint& at) { return linearised(face_gap(obstacle, at), at); }

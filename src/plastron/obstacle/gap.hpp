@@ -58,16 +58,6 @@ FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at);
 /// Prepares the obstacle for face_gap() and gap_at() at many points.
 void prepare_gaps(const Obstacle& obstacle, std::span<const ShellPoint> points);
 
-/// The straight way of a point of the mid-surface relative to the obstacle.
-struct Passage {
-  double clearance = std::numeric_limits<
-      double>::infinity();  ///< lower bound of the distance on the way if the obstacle changes sides [m]
-  bool is_through = false;  ///< true if the way passes through the obstacle from one side of the shell to the other
-};
-/// Examines the way. `normal` is the shell's: an obstacle changes sides if it faces first one face and then the
-/// other.
-Passage passage(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to, const Vector3d& normal);
-
 /// The gap (M16), linearised at the face in its present state, where it equals face_gap(). At the undeformed shell it
 /// is the linearisation of the model; for planes it is exact at every state.
 Gap gap_at(const Obstacle& obstacle, const ShellPoint& at);
