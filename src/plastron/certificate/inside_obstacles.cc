@@ -2,7 +2,6 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/fem/surface.hpp>
-#include <plastron/mesh/basis.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <fmt/format.h>
@@ -14,7 +13,7 @@
 
 namespace plastron::certificate {
 
-namespace {}
+namespace {
 
 /// Owned nodes pushed by an obstacle along the shell out of a place deep inside it.
 struct PushedSideways {
