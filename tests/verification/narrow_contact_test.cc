@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace plastron {
+namespace plastron::narrow_contact {
 namespace {
 
 computation::Result solved(const std::string& text) {
@@ -115,4 +115,4 @@ face = "lower"
 }
 
 }  // namespace
-}  // namespace plastron
+}  // namespace plastron::narrow_contact
