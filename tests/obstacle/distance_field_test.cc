@@ -104,6 +104,32 @@ TEST(ADistanceExpression, GivesTheDistanceOfBruteForceInsideAndOutside) {
   }
 }
 
+/// The foot of an ellipsoid with half axes a has the coordinates a_i^2 X_i / (t + a_i^2); outside t > 0 is the zero of a falling function.
+double distance_from_ellipsoid(const Vector3d& a, const Vector3d& X) {
+  double low = 0, high = a.maxCoeff() * X.norm();
+  const auto foot = [&](double t) {
+    return Vector3d(a.cwiseAbs2().cwiseProduct(X).cwiseQuotient((a.cwiseAbs2().array() + t).matrix()));
+  };
+  for (int i = 0; i < 200; ++i) {
+    const double t = (low + high) / 2;
+    (foot(t).cwiseQuotient(a).squaredNorm() > 1 ? low : high) = t;
+  }
+  return (X - foot(low)).norm();
+}
+
+/// They are smaller than the angles between the directions of a search.
+TEST(ADistanceExpression, FindsSlenderBodiesFromFarAway) {
+  const std::vector<Vector3d> axes = test::random_points(12, 1), places = test::random_points(12, 3);
+  for (const Vector3d& axis : axes)
+    for (const Vector3d& X : places) {
+      const Vector3d a = axis.cwiseAbs().cwiseMax(0.02);
+      if (X.cwiseQuotient(a).norm() < 1.1) continue;
+      const double found =
+          field("(X/a)^2 + (Y/b)^2 + (Z/c)^2 - 1", {{"a", a[0]}, {"b", a[1]}, {"c", a[2]}}).nearest(X).distance;
+      EXPECT_NEAR(found, distance_from_ellipsoid(a, X), 1e-6) << a.transpose() << " from " << X.transpose();
+    }
+}
+
 /// Newton's method ends between two feet there.
 TEST(ADistanceExpression, KnowsAPointDeepInsideOfAnEllipsoid) {
   const DistanceField ellipsoid = field("X^2 + 2*Y^2 + Z^2 - 1");

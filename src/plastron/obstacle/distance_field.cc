@@ -58,6 +58,28 @@ std::optional<Vector3d> other_side(const SpaceFunction& F, const Vector3d& X, do
   return places[static_cast<std::size_t>(other - values.begin())];
 }
 
+/// A point of the surface on the way from X to a point where F has the opposite sign, which Newton's method for an extremum of F finds.
+/// This finds bodies that no direction of other_side() meets.
+std::optional<Vector3d> surface_below(const SpaceFunction& F, const Vector3d& X, const SpaceJet& f) {
+  constexpr int most_steps = 20;
+  constexpr double least_curvature = 1e-3, least_share = 1e-3;
+  const double sign = f.value > 0 ? 1 : -1;
+  Vector3d Y = X;
+  SpaceJet at = f;
+  for (int step = 0; step < most_steps && at.gradient.norm() > 0; ++step) {
+    const auto eigen = geometry::symmetric_eigen(at.hessian);
+    const double least = least_curvature * at.gradient.squaredNorm() / std::abs(at.value);
+    const Vector3d slopes = eigen.vectors.transpose() * at.gradient;
+    const Vector3d full = -sign * (eigen.vectors * slopes.cwiseQuotient(eigen.values.cwiseAbs().cwiseMax(least)));
+    double share = 1;
+    while (share > least_share && !(sign * F.value(Y + share * full) < sign * at.value)) share /= 2;
+    Y += share * full;
+    at = F(Y);
+    if (sign * at.value < 0) return ZeroSet(F).crossing(X, Y);
+  }
+  return {};
+}
+
 /// A point of the surface on the smallest sphere with both signs of F. The radii are |F| / |F'| times 2^-4 to 2^10.
 Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const SpaceJet& f) {
   constexpr int first = -4, last = 10;
@@ -71,6 +93,7 @@ Vector3d point_on_surface(const SpaceFunction& F, const Vector3d& X, const Space
       if (const auto Y = surface.projected(surface.crossing(X, *other), close * (X - *other).norm())) return *Y;
     }
   if (changes_sign) refuse_for_kinks(F);
+  if (const auto Y = surface_below(F, X, f)) return *Y;
   refuse(F, fmt::format(
                 "is {:.4g} there and has that sign as far as {:.3g} m away: no surface of a body is near; the body "
                 "is where it is negative, and it must change its sign at the surface (are its constants and "
