@@ -12,13 +12,14 @@ import argparse
 import collections
 import json
 import pathlib
+import random
 import sys
 import tempfile
 
 from cases import Case
 from checking import SILENT, Checker
 from covering import Array
-from features import CONSTRAINTS, FEATURES, pairs_of
+from features import CONSTRAINTS, FEATURES, SIMPLEST
 from oracles import BY_NAME, ORACLES
 from reducing import reduced, simplest_with
 from running import Program
@@ -84,24 +85,31 @@ def refusals(arguments, program, folder):
     """Tries each constraint that the program must refuse, and shows its words. A run that ends in another way is a failure."""
     wrong = 0
     for k, constraint in enumerate(c for c in CONSTRAINTS if c.refused):
-        row = simplest_row(constraint)
-        case = Case(arguments.seed, k, row, curves=collections.defaultdict(list))
-        outcome = program.run(case, folder / f"{k}")
+        row = simplest_row(constraint, random.Random(f"{arguments.seed}/{k}"))
+        outcome = program.run(Case(arguments.seed, k, row), folder / f"{k}")
         words = " ".join(outcome.text.split())
+        words = words[max(words.find("error:"), 0):]
         good = outcome.code == 2 and "error" in words
         wrong += not good
         print(f"{'refused' if good else 'NOT REFUSED'}: {constraint.reason}: {words[:200]}")
     return 1 if wrong else 0
 
 
-def simplest_row(constraint):
-    from features import SIMPLEST
-
-    row = dict(SIMPLEST)
-    row.update({name: sorted(values, key=str)[0] for name, values in constraint.values.items()})
-    if row["control"] == "control" or row["motion"] != "none":
-        row["steps"] = "one"
-    return row
+def simplest_row(constraint, rng):
+    """A row that this constraint forbids and no other with another reason, with simple values elsewhere."""
+    others = [c for c in CONSTRAINTS if c.reason != constraint.reason]
+    fits = lambda row: not any(c.forbids(row) for c in others)
+    for _ in range(1000):
+        row = {name: rng.choice(sorted(values, key=str)) for name, values in constraint.values.items()}
+        names = [n for n in FEATURES if n not in row]
+        rng.shuffle(names)
+        for name in names:
+            values = [v for v in [SIMPLEST[name], *FEATURES[name]] if fits(row | {name: v})]
+            if values:
+                row[name] = values[0]
+        if len(row) == len(FEATURES) and fits(row):
+            return row
+    raise ValueError(f"no row for: {constraint.reason}")
 
 
 def main():

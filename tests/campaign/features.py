@@ -71,10 +71,8 @@ def empty(reason, **values):
 CONSTRAINTS = [
     refused("finite rotations have the tangent formulation", model="finite", formulation=others("formulation", "tangent")),
     refused("triangles have degree 1 or 2", cells="triangle", degree={3, 4}),
-    refused("the penalised formulation begins at degree 2", formulation="penalised", degree=1),
     refused("the classical formulation needs one smooth chart", formulation="classical", source=others("source", "rectangle", "plane mesh")),
     refused("the classical formulation needs one smooth chart", formulation="classical", join="pieces"),
-    refused("the classical formulation needs one smooth chart", formulation="classical", surface="tube"),
     refused("a pressure follows with finite rotations", model="small", load="follower"),
     refused("control needs finite rotations", model="small", control="control"),
     refused("a step with control moves no obstacle", control="control", motion=others("motion", "none")),
