@@ -9,6 +9,7 @@ namespace plastron::computation {
 namespace {
 
 using namespace test;
+using Eigen::Vector3d;
 
 constexpr double width = 0.125, thick = 0.1;
 

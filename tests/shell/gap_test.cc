@@ -213,19 +213,6 @@ TEST(Edge, PushesAFaceThatLiesOnASideAlongTheNormalOfTheSide) {
       }
 }
 
-TEST(Edge, OfACornerPushesAlongTheNormalOfTheFaceToo) {
-  Random random;
-  for (const Shape& shape :
-       {Shape(Box{}), Shape(cube_of_triangles(1)), Shape(Cone{.apex = {0.5, 0.5, 0.5}, .axis = {0, 0, -1}})})
-    for (int draw = 0; draw < 20; ++draw) {
-      const Vector3d inward = (Vector3d(1, 1, 1.5) + 0.4 * random.vector()).normalized(),
-                     aside = 0.01 * inward.cross(random.vector());
-      const Gap gap = gap_of_node({.shape = shape}, Vector3d(0.5, 0.5, 0.5) + aside, inward, 0.05, false);
-      EXPECT_LT((gap.normal - inward).norm(), 1e-9);
-      EXPECT_NEAR(gap.initial, 0, 1e-12);
-    }
-}
-
 // Beyond the end of a shell there is no face, and an edge there pushes nothing.
 TEST(Edge, BeyondTheLastNodeOfTheShellIsNotTouched) {
   const Vector3d inward = Vector3d(0.1, 0, 1).normalized(), out(1, 0, -0.1);

@@ -105,7 +105,7 @@ double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vect
   return above && (!below || *above <= *below) ? -0.5 : 0.5;
 }
 
-// A smooth face on a sharp edge or corner of an obstacle. The distance of a node does not describe this contact: its gradient jumps
+// A smooth face on a sharp edge of an obstacle. The distance of a node does not describe this contact: its gradient jumps
 // at the edge, and a node beside the edge may pass it. Instead the tangent plane of the face keeps the edge E on its other side,
 //
 //   g = n . (X - E),
@@ -120,25 +120,15 @@ std::optional<Vector3d> foot_on_edge(const Obstacle& obstacle, const Vector3d& f
   return from - nearest.distance * nearest.normal;
 }
 
-/// Returns the edge or corner that the tangent plane of the face at X meets first. It is sought from above the face: seen from there,
-/// no side of the body is nearer than its edge.
-std::optional<Vector3d> edge_below(const Obstacle& obstacle, const Vector3d& X, const Vector3d& inward,
+/// Returns an edge near the face, seen from above it. Seen from there, no side of the body is nearer than its edge.
+std::optional<Vector3d> edge_below(const Obstacle& obstacle, const Vector3d& above, const Vector3d& inward,
                                    const Vector3d& a3, const Reach& reach) {
-  constexpr double parallel = 1e-12, small = 1e-3;
-  const double widest = *std::ranges::max_element(reach);
-  std::optional<Vector3d> edge = foot_on_edge(obstacle, X + widest * inward);
-  // From a side to an edge, and from an edge to a corner:
-  for (int turn = 0; turn < 2; ++turn) {
-    const Vector3d from = edge.value_or(X);
-    const Vector3d normal = obstacle.nearest(from + (edge ? small : 1) * widest * inward).normal;
-    // The tangent plane approaches the body most in this direction.
-    const Vector3d way = normal.dot(inward) * inward - normal;
-    if (!(way.norm() > parallel)) break;
-    const double step = reach[reach_direction(a3, way)];
-    const auto next = foot_on_edge(obstacle, from + widest * inward + step * way.normalized());
-    if (next && (!edge || inward.dot(*next - *edge) > parallel * widest)) edge = next;
-  }
-  return edge;
+  constexpr double parallel = 1e-12;
+  if (const auto edge = foot_on_edge(obstacle, above)) return edge;
+  // The tangent plane approaches the body most in this direction.
+  const Vector3d normal = obstacle.nearest(above).normal, way = normal.dot(inward) * inward - normal;
+  if (!(way.norm() > parallel)) return {};
+  return foot_on_edge(obstacle, above + reach[reach_direction(a3, way)] * way.normalized());
 }
 
 /// With small rotations the force acts along the normal n_0 for the undeformed face, as loads act in undeformed places. The turn
@@ -149,7 +139,12 @@ std::optional<FaceGap> edge_gap(const Obstacle& obstacle, const ShellPoint& at, 
   constexpr double small = 1e-3, least_cosine = 0.5;
   const double widest = *std::ranges::max_element(reach), side = z < 0 ? 1 : -1;
   const Vector3d inward = side * (at.a3 + at.r).normalized(), X = at.phi + at.u + z * (at.a3 + at.r);
-  const auto edge = edge_below(obstacle, X, inward, at.a3, reach);
+  const Vector3d above = X + widest * inward;
+  const Nearest seen = obstacle.nearest(above);
+  // A face that lies on a side: at the side's edge the distance at X has the normal of either side.
+  if ((seen.normal - inward).norm() < 1e-12)
+    return FaceGap{.distance = seen.distance - widest, .normal = seen.normal, .clearance = seen.distance - widest};
+  const auto edge = edge_below(obstacle, above, inward, at.a3, reach);
   if (!edge) return {};
   const Vector3d way = X - *edge, along = way.dot(inward) * inward - way;
   if (along.norm() > part_of_reach * reach[reach_direction(at.a3, along)]) return {};
