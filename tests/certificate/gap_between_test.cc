@@ -157,15 +157,6 @@ TEST(GapBetween, IsSearchedForBodiesSmallerThanACell) {
   EXPECT_NEAR(least_gap(*s.discrete, at_rest(s)), -0.007, 1e-3);
 }
 
-TEST(GapBetween, IsTheThicknessWhereTheShellHasGoneThroughABody) {
-  const Shell s = shell_over({}, domain::Rectangle{}, test::flat, test::quadrilateral, 2);
-  const obstacle::Ball ball{.centre = {0.4375, 0.4375, 0.1}, .radius = 0.005};
-  s.discrete->obstacles.all = s.discrete->obstacles_at_start.all = {{.name = "ball", .shape = ball}};
-  EXPECT_GT(least_gap(*s.discrete, at_rest(s)), 0);
-  const auto through = nodal(s, [](const assembly::NodalPoint&) { return downwards(-0.4); });
-  EXPECT_NEAR(least_gap(*s.discrete, through), -thickness, 1e-12);
-}
-
 TEST(GapBetween, IsInfiniteWithoutAnObstacleAndWhereNoCellIsNearIt) {
   const auto infinity = std::numeric_limits<double>::infinity();
   Shell s = shell_over({.point = {0, 0, -50}}, test::skew(), test::flat, test::quadrilateral, 2);

@@ -117,7 +117,7 @@ void write_bytes(const fs::path& path, const std::string& text) { std::ofstream(
 
 /// The middle node of the first cell that touches, or of the first cell. It belongs to no other cell.
 std::size_t middle_node(const std::string& solution) {
-  constexpr std::size_t header = 80 + 16, head = 64, node = 8 * 8, record = head + 9 * node, touching = 7 * 8;
+  constexpr std::size_t header = 88 + 16, head = 64, node = 8 * 8, record = head + 9 * node, touching = 7 * 8;
   for (std::size_t at = header; at < solution.size(); at += record) {
     double touches = 0;
     const std::size_t middle = at + head + 4 * node;
@@ -170,10 +170,10 @@ TEST(Verify, PassesStepsAndPressedObstaclesAndSeesAnotherWay) {
   // The position of the ball follows the header and the two numbers of the post.
   std::string solution = text_of(ran.file("solution.plastron"));
   double way[2] = {};
-  std::memcpy(way, solution.data() + 80 + 16, sizeof way);
+  std::memcpy(way, solution.data() + 88 + 16, sizeof way);
   EXPECT_GT(std::abs(way[0] + way[1]), 1e-3);
   way[1] += 1e-3;
-  std::memcpy(solution.data() + 80 + 16, way, sizeof way);
+  std::memcpy(solution.data() + 88 + 16, way, sizeof way);
   write_bytes(ran.file("solution.plastron"), solution);
   expect_failed(ran, "");
 }

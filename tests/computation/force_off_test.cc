@@ -21,7 +21,7 @@ using obstacle::Obstacle;
 /// A plate clamped at both ends, in another unit of length; balls press it from above or from below.
 problem::Problem plate(element::Rotations rotations, double unit) {
   problem::Problem p = with_chart(free_plate(), {"x", "y", "0"}, {});
-  p.domain = domain::Rectangle{.to = {2 * unit, unit}, .cells = {6, 3}};
+  p.domain = domain::Rectangle{.to = {2 * unit, unit}, .cells = {12, 6}};
   p.shell.sections.common.thickness = Expression(0.05 * unit);
   p.shell.sections.common.material = shell::Material::from_young_poisson(1 / (unit * unit), 0.3, 1);
   p.shell.supports = {clamped("left"), clamped("right")};

@@ -39,7 +39,7 @@ TEST(RoundingResidual, is_what_the_certificate_finds_within_an_order) {
   for (const double e : {1e-5, 1e-6}) {
     const problem::Problem p = bent_strip(e);
     const double ratio = solve(p, MPI_COMM_SELF).certificate.energy_identity / examination::rounding_residual(p);
-    EXPECT_GT(ratio, 0.1) << e;
+    EXPECT_GT(ratio, 0.05) << e;  // the certificate refers to the work of the loads, which exceeds the energy
     EXPECT_LT(ratio, 10) << e;
   }
 }

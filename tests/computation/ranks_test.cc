@@ -16,7 +16,7 @@ using namespace test;
 
 void expect_near(double a, double b) { EXPECT_NEAR(a, b, 1e-9 * std::abs(b)); }
 void expect_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double scale) {
-  EXPECT_LT((a - b).norm(), 1e-9 * scale);
+  EXPECT_LE((a - b).norm(), 1e-9 * scale);
 }
 
 void expect_same_alone_and_together(problem::Problem p) {

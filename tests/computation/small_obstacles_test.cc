@@ -265,12 +265,13 @@ obstacle::Shape box_of_triangles(const obstacle::Box& box) {
   return obstacle::TriangleSurface(mesh, "box");
 }
 
-// Timoshenko's beam on two edges. No force acts along x, whether the mesh has nodes on the edges or not.
+// Timoshenko's beam on two edges. No force acts along x, whether the mesh has nodes on the edges or not. Without nodes there, the
+// nearest nodes carry the forces.
 TEST(SharpEdges, CarryAStripThatHangsOverThem) {
   constexpr double end = -2.2125e-4, middle = 2.875e-5;
   for (const auto rotations : {element::Rotations::small, element::Rotations::finite})
     for (const double L : {1.0, 1e-3})
-      for (const auto& [cells, degree, error] : {std::tuple{8, 4, 2e-4}, {20, 2, 1e-3}, {19, 4, 0.02}}) {
+      for (const auto& [cells, degree, error] : {std::tuple{8, 4, 2e-4}, {20, 2, 1e-3}, {19, 4, 0.12}}) {
         const obstacle::Box box{.centre = {0.5 * L, 0.5 * L, -0.5 * L}, .size = {L, 3 * L, L}};
         for (const obstacle::Shape& body : {obstacle::Shape(box), box_of_triangles(box)}) {
           problem::Problem p = overhanging_strip(body, cells, degree, L);

@@ -150,7 +150,7 @@ TEST(SolutionFile, ThatIsDamagedIsRefusedInWords) {
       {"incomplete", [](std::string& t) { t += '\0'; }},
       {"begins differently", [](std::string& t) { t[0] = 'p'; }},
       {"version 1", [](std::string& t) { put(t, 8, std::uint32_t{1}); }},
-      {"version 4", [](std::string& t) { put(t, 8, std::uint32_t{4}); }},
+      {"version 5", [](std::string& t) { put(t, 8, std::uint32_t{5}); }},
       {"corners per cell", [](std::string& t) { put(t, 12, std::uint32_t{3}); }},
       {"degree", [](std::string& t) { put(t, 16, std::uint32_t{4}); }},
       {"2 obstacles", [](std::string& t) { put(t, 20, std::uint32_t{2}); }},

@@ -58,6 +58,7 @@ std::optional<LevelResult> solved_in_parts(Run& run, const problem::Instant& to,
   const problem::Instant start = problem::start(run.problem);
   run.rest_at(start, std::move(discrete));
   std::optional<LevelResult> last;
+  bool has_jumped = false;
   const auto solve = [&](const problem::Instant& instant, const Departure& departure, double part) {
     LevelTask now = &instant == &to ? task : run.task(run.last_level());
     if (&instant != &to) now.admissible = false;
@@ -66,6 +67,8 @@ std::optional<LevelResult> solved_in_parts(Run& run, const problem::Instant& to,
     run.search_path(level);
     const Attempt attempt = judged(level, part, pace);
     if (level.record.status == interrupted || (attempt.is_accepted && level.passes)) return Attempt{};
+    has_jumped = has_jumped || (attempt.is_accepted && level.record.has_jumped);
+    level.record.has_jumped = has_jumped;
     if (attempt.is_accepted && &instant == &to)
       last = std::move(level);
     else if (attempt.is_accepted)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace plastron::computation {
@@ -327,9 +328,17 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
 
 std::vector<std::string> probe_warnings(const Result& result) {
   std::vector<std::string> warnings;
+  // Displacements and rotations have no peak there.
+  const auto asks_for_resultants = [&](const ProbeValue& probe) {
+    const std::string prefix = "probe." + probe.name + ".";
+    return result.estimates && std::ranges::any_of(result.estimates->goals, [&](const auto& goal) {
+             return goal.name.starts_with(prefix) &&
+                    std::string_view("NMQs").find(goal.name[prefix.size()]) != std::string_view::npos;
+           });
+  };
   for (const ProbeValue& probe : result.probes)
     for (const recovery::SingularPlace& place : result.singular_places)
-      if (place.is_near(probe.values.phi)) {
+      if (place.is_near(probe.values.phi) && asks_for_resultants(probe)) {
         warnings.push_back(
             fmt::format("the probe \"{}\" lies within {:.2g} m of a {}: moments, forces and stresses there have a peak "
                         "that depends on the "

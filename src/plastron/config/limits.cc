@@ -28,8 +28,8 @@ const std::vector<Limit>& limits() {
        "compare `stress.max_von_mises` with the yield stress; use a program with plasticity"},
       {"laminates",
        {"orthotropic", "sandwich", "core", "honeycomb"},
-       "Layers are bonded and share the strains of the shell: no slip, no delamination, no thick soft core. "
-       "`shear_correction` is one number.",
+       "Layers are bonded and share the strains of the shell: no slip, no delamination. One director for the section: "
+       "faces on a soft core do not bend each on their own, which `check` says.",
        "`layers` in `results.json` has the stresses of each layer",
        "a failure criterion on `layers`; a layerwise or solid program for soft cores"},
       {"friction",

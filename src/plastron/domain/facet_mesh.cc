@@ -140,13 +140,12 @@ MeshData meshed(const Facets& facets, double size, mesh::Shape shape, const std:
   return data;
 }
 
-/// The folds that cells have as sides. A fold that is shorter than a cell may have none.
-std::vector<std::string> folds_of(const MeshData& data, const Facets& facets) {
+/// The folds that cells have as sides, and those that the case names. A fold that is shorter than a cell may have none.
+std::vector<std::string> folds_of(const MeshData& data, const Facets& facets, std::vector<std::string> folds) {
   std::vector<bool> has_cells(facets.curves.size(), false);
   for (const MeshElement& element : data.elements)
     if (!element_type(element.type)->is_cell())
       has_cells[static_cast<std::size_t>(data.group_sets[element.groups].front()) - 1] = true;
-  std::vector<std::string> folds;
   for (std::size_t c = 0; c < has_cells.size(); ++c)
     if (has_cells[c] && facets.curves[c].kind == facets::CurveKind::fold) folds.push_back(facets.curves[c].name);
   return folds;
@@ -225,7 +224,7 @@ FacetMesh mesh_facets(const std::string& path, const SpaceReading& reading, mesh
     mesh.reading.scale = 1;
     mesh.reading.tolerance.reset();
     mesh.reading.smooth_angle = any_smooth_angle;
-    mesh.reading.folds = folds_of(mesh.data, facets);
+    mesh.reading.folds = folds_of(mesh.data, facets, reading.folds);
     return mesh;
   } catch (const geometry::FileError& error) {
     throw mesh::DomainError(error.what());

@@ -138,6 +138,18 @@ std::int64_t release_weak_contact(const assembly::DiscreteShell& discrete, const
   return algebra::sum_over_ranks(weak, comm);
 }
 
+/// Whether a motion lowers the energy by more than rounding: by more than a small part of what the diagonal does alone.
+bool is_lowered(double reciprocal, const Vector& motion, const algebra::Matrix& stiffness, const Vector& diagonal) {
+  constexpr double rounding = 1e-11;
+  Vector forces(motion.layout(), motion.block());
+  stiffness.multiply(motion, forces);
+  double alone = 0;
+  for (std::size_t i = 0; i < motion.owned().size(); ++i)
+    alone += std::abs(diagonal.owned()[i]) * motion.owned()[i] * motion.owned()[i];
+  alone = algebra::sum_over_ranks(alone, motion.layout()->comm);
+  return reciprocal * algebra::dot(motion, forces) > rounding * alone;
+}
+
 }  // namespace
 
 Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
@@ -149,9 +161,11 @@ Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::No
       largest_destabilisations(stiffness, geometric, motions.fixed, {.count = count, .max_restarts = most_restarts});
   if (!pairs) return {};
   constexpr double never = 1e-9;  // reciprocals of factors, relative to the largest, that are rounding
+  const Vector diagonal = geometric.diagonal();
   Modes modes{.has_solution = pairs->converged};
   for (std::size_t i = 0; i < pairs->values.size(); ++i) {
-    if (!(pairs->values[i] > 0 && pairs->values[i] > never * pairs->values[0])) break;
+    if (!(pairs->values[i] > never * pairs->values[0])) break;
+    if (!is_lowered(pairs->values[i], pairs->vectors[i], stiffness, diagonal)) break;
     modes.values.push_back(1 / pairs->values[i]);
     modes.shapes.push_back(shape_of(motions.coordinates, pairs->vectors[i]));
   }
