@@ -255,23 +255,6 @@ StrainScale strain_scale(const assembly::DiscreteShell& discrete, const algebra:
           algebra::sum_over_ranks(sum.moment, comm), algebra::sum_over_ranks(sum.energy, comm)};
 }
 
-double Summary::contact_norms() const {
-  double sum = 0;
-  for (const ObstacleContact& obstacle : obstacles) sum += obstacle.force_norms;
-  return sum;
-}
-
-double Summary::force_scale() const { return std::max({load_norms, contact_norms(), support_norms}); }
-
-double Summary::least_strain() const {
-  if (!(area_modulus > 0)) return 0;
-  constexpr double small = 1e-3;  // part of the energy of initial strains
-  return std::max(force_scale() / area_modulus,
-                  std::sqrt(2 * small * initial_energy / (area_modulus * least_thickness)));
-}
-
-double Summary::least_energy() const { return area_modulus * least_thickness * std::pow(least_strain(), 2) / 2; }
-
 void take_moments_about(const Vector3d& point, Summary& summary) {
   const Vector3d by = point - summary.moment_point;
   for (Wrench* wrench : {&summary.loads, &summary.reaction, &summary.support_reaction}) wrench->move_point(by);
