@@ -4,8 +4,6 @@
 #include <plastron/examination/examine.hpp>
 #include <research/referees/solvers.hpp>
 
-#include <random>
-
 #include "algebra/mpi_calls.hpp"
 #include "computation/problems.hpp"
 
@@ -78,56 +76,6 @@ TEST(Ranks, do_not_change_a_pressed_bowl_in_any_formulation) {
     problem::Problem p = pressed_bowl();
     p.shell.tangency.formulation = formulation;
     expect_same_alone_and_together(p);
-  }
-}
-
-/// Laminates of random layers, some with initial strains.
-std::shared_ptr<const shell::Laminate> random_laminate(std::mt19937& random) {
-  std::uniform_real_distribution<double> part(0.2, 1), angle(-1.5, 1.5);
-  std::vector<shell::Layer> layers;
-  for (int k = 0; k < 3; ++k)
-    layers.push_back({.material = {.E1 = 2e4, .E2 = 1e3, .nu12 = 0.3, .G12 = 800, .G13 = 800, .G23 = 500},
-                      .part = part(random),
-                      .angle = angle(random)});
-  return std::make_shared<const shell::Laminate>(std::move(layers), Eigen::Vector3d(1, 0.2, 0));
-}
-
-void expect_same_values(const recovery::PointValues& a, const recovery::PointValues& b) {
-  ASSERT_EQ(a.laminate != nullptr, b.laminate != nullptr);
-  expect_near(a.N, b.N, b.N.norm() + b.M.norm() / b.thickness);
-  expect_near(a.M, b.M, b.M.norm() + b.N.norm() * b.thickness);
-  EXPECT_EQ(a.material.young(), b.material.young());
-  EXPECT_EQ(a.thickness, b.thickness);
-  for (const double z : {-0.5, -0.1, 0.3, 0.5}) {
-    const auto here = recovery::section_forces(a), there = recovery::section_forces(b);
-    expect_near(shell::in_plane_stress(here, z * a.thickness), shell::in_plane_stress(there, z * b.thickness),
-                shell::largest_von_mises(there).stress);
-  }
-}
-
-// Points lie in cells, on their sides, and on the side between the regions.
-TEST(Ranks, do_not_change_points_of_laminates_in_regions) {
-  std::mt19937 random(3);
-  for (const int regions : {1, 2}) {
-    problem::Problem p = cantilever_plate();
-    if (regions == 2) {
-      std::get<domain::Rectangle>(p.domain).breaks = {0.5};
-      std::get<domain::Rectangle>(p.domain).regions = {"near", "far"};
-    }
-    p.shell.sections.common.material.law = random_laminate(random);
-    p.shell.sections.common.thickness = Expression("0.1 + 0.02*x", {});
-    if (regions == 2) p.shell.sections.regions["far"].thickness = Expression("0.1 + 0.02*x", {});
-    p.probes = {{.name = "side", .at = {0.5, 0.25}}, {.name = "corner", .at = {1, 1}}};
-    for (int i = 0; i < 20; ++i) {
-      std::uniform_real_distribution<double> coordinate(0, 1);
-      p.probes.push_back({.name = std::to_string(i), .at = {coordinate(random), coordinate(random)}});
-    }
-    const Result alone = solve(p, MPI_COMM_SELF), together = solve(p, MPI_COMM_WORLD);
-    ASSERT_EQ(together.probes.size(), p.probes.size());
-    for (std::size_t i = 0; i < p.probes.size(); ++i) {
-      SCOPED_TRACE(p.probes[i].name);
-      expect_same_values(together.probes[i].values, alone.probes[i].values);
-    }
   }
 }
 

@@ -124,7 +124,7 @@ std::optional<Vector3d> foot_on_edge(const Obstacle& obstacle, const Vector3d& f
 std::optional<Vector3d> edge_below(const Obstacle& obstacle, const Vector3d& above, const Vector3d& inward,
                                    const Vector3d& a3, const Reach& reach) {
   constexpr double parallel = 1e-12;
-  if (const auto edge = foot_on_edge(obstacle, above)) return edge;
+  if (auto edge = foot_on_edge(obstacle, above)) return edge;
   // The tangent plane approaches the body most in this direction.
   const Vector3d normal = obstacle.nearest(above).normal, way = normal.dot(inward) * inward - normal;
   if (!(way.norm() > parallel)) return {};

@@ -100,6 +100,7 @@ std::vector<std::optional<ZeroSet::Foot>> ZeroSet::sure_feet(std::span<const Vec
   }
   for (int step = 0; step < most_steps && !moving.empty(); ++step) {
     std::vector<Vector3d> trials;
+    trials.reserve(moving.size());
     for (const std::size_t i : moving) trials.push_back(feet[i]->Y + newton_step(X[i], feet[i]->Y, feet[i]->f));
     const std::vector<SpaceJet> there = function_.jets(trials);
     std::vector<std::size_t> next;
