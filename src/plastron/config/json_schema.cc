@@ -77,22 +77,22 @@ Schema schema_of(const Key& key, Kind kind, const std::string& path) {
   return is(Kind::table) ? Schema{{"type", "object"}} : free_table();
 }
 
-Schema json_of(const toml::value& value) {
+Schema schema_value(const toml::value& value) {
   if (value.is_boolean()) return value.as_boolean();
   if (value.is_integer()) return value.as_integer();
   if (value.is_floating()) return value.as_floating();
   if (value.is_string()) return value.as_string().str;
   Schema json = value.is_array() ? Schema::array() : Schema::object();
   if (value.is_array())
-    for (const toml::value& entry : value.as_array()) json.push_back(json_of(entry));
+    for (const toml::value& entry : value.as_array()) json.push_back(schema_value(entry));
   else if (value.is_table())
-    for (const auto& [name, entry] : value.as_table()) json[name] = json_of(entry);
+    for (const auto& [name, entry] : value.as_table()) json[name] = schema_value(entry);
   return json;
 }
 
-Schema json_of(const std::string& toml_text) {
+Schema schema_value(const std::string& toml_text) {
   std::istringstream stream("value = " + toml_text);
-  return json_of(toml::parse(stream, "declaration").at("value"));
+  return schema_value(toml::parse(stream, "declaration").at("value"));
 }
 
 Schema property(const Section& section, const Key& key) {
@@ -104,8 +104,8 @@ Schema property(const Section& section, const Key& key) {
   const std::string range = key.range.text(key.name);
   Schema result{{"description",
                  key.meaning + (key.unit.empty() ? "" : " [" + key.unit + "]") + (range.empty() ? "" : "; " + range)}};
-  if (!key.fallback.empty()) result["default"] = json_of(key.fallback);
-  if (!key.example.empty()) result["examples"] = Schema::array({json_of(key.example)});
+  if (!key.fallback.empty()) result["default"] = schema_value(key.fallback);
+  if (!key.example.empty()) result["examples"] = Schema::array({schema_value(key.example)});
   result.update(value);
   return result;
 }

@@ -117,13 +117,6 @@ class Rolling {
   std::vector<Eigen::Vector3d> faces_{};
 };
 
-/// Distances to other shapes need a search, which takes too long for thousands of points.
-bool has_fast_distance(const obstacle::Obstacle& obstacle) {
-  return !std::holds_alternative<obstacle::HeightField>(obstacle.shape) &&
-         !std::holds_alternative<obstacle::DistanceField>(obstacle.shape) &&
-         !std::holds_alternative<obstacle::TriangleSurface>(obstacle.shape);
-}
-
 void check_rolling(Examined& examined, const RigidMotions& motions, const ExaminedNodes& nodes,
                    const std::vector<RigidMotion>& held, const algebra::Vector& load) {
   if (!std::ranges::all_of(examined.problem.shell.obstacles.all, has_fast_distance)) return;
@@ -226,6 +219,12 @@ void check_parts(Examined& examined, const ExaminedNodes& nodes, const std::vect
 }
 
 }  // namespace
+
+bool has_fast_distance(const obstacle::Obstacle& obstacle) {
+  return !std::holds_alternative<obstacle::HeightField>(obstacle.shape) &&
+         !std::holds_alternative<obstacle::DistanceField>(obstacle.shape) &&
+         !std::holds_alternative<obstacle::TriangleSurface>(obstacle.shape);
+}
 
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
   const std::vector<ShellPart> parts = parts_of(*examined.space, nodes.points);

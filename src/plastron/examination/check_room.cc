@@ -6,18 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <variant>
 
 namespace plastron::examination {
 
 namespace {
-
-/// Searches for a distance take too long for all nodes.
-bool has_fast_distance(const obstacle::Obstacle& obstacle) {
-  return !std::holds_alternative<obstacle::HeightField>(obstacle.shape) &&
-         !std::holds_alternative<obstacle::DistanceField>(obstacle.shape) &&
-         !std::holds_alternative<obstacle::TriangleSurface>(obstacle.shape);
-}
 
 /// The place where two obstacles leave least of the thickness free.
 struct Room {

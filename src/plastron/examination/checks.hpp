@@ -122,6 +122,8 @@ void check_surfaces(Examined& examined);
 void check_face(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle);
 /// Checks that two obstacles leave the thickness of the shell free between them.
 void check_room(Examined& examined, const ExaminedNodes& nodes);
+/// Distances to other shapes need a search, which takes too long for thousands of points.
+bool has_fast_distance(const obstacle::Obstacle& obstacle);
 /// Checks that no rigid motion is free, except motions that the loads press onto the obstacle.
 void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes);
 

@@ -193,9 +193,9 @@ std::string marker(std::size_t series, double x, double y, bool hollow) {
 
 std::string_view dashes(bool dashed) { return dashed ? " stroke-dasharray=\"6 4\"" : ""; }
 
-class Drawing {
+class Sheet {
  public:
-  Drawing(const Plot& plot, const Page& page)
+  Sheet(const Plot& plot, const Page& page)
       : plot_(plot),
         page_(page),
         x_(values(&Series::x), plot.x.is_log, page.left, page.right),
@@ -312,6 +312,6 @@ class Drawing {
 
 }  // namespace
 
-std::string svg_text(const Plot& plot, PlotLayout layout) { return Drawing(plot, page_of(plot, layout)).text(); }
+std::string svg_text(const Plot& plot, PlotLayout layout) { return Sheet(plot, page_of(plot, layout)).text(); }
 
 }  // namespace plastron::io

@@ -201,7 +201,7 @@ Nearest DistanceField::nearest(const Vector3d& X) const {
   if (const Nearest* known = known_->find(X)) return *known;
   prepare({&X, 1});
   if (const Nearest* known = known_->find(X)) return *known;
-  const Nearest found = nearest_of(X, searched_foot(*function_, X));
+  Nearest found = nearest_of(X, searched_foot(*function_, X));
   known_->add(X, found);
   return found;
 }
