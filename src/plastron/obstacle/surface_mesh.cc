@@ -48,6 +48,7 @@ class Marching {
 
   TriangleMesh surface() {
     std::vector<Vector3d> corners;
+    corners.reserve(static_cast<std::size_t>(n_ * n_ * n_));
     for (int i = 0; i < n_ * n_ * n_; ++i) corners.push_back(point(i));
     values_ = levels_(corners);
     for (int k = 0; k + 1 < n_; ++k)
