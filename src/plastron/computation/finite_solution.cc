@@ -15,8 +15,9 @@ constexpr double negligible_step = 1e-9, tiny_step = 1e-8, small_step = 1e-5;
 
 /// Largest size of a step, and least ratio to the step before it, after which the exact derivative of the residual is tried.
 constexpr double near_end = 0.1, slow = 0.05;
-/// Part of a shift with which the next step begins if the shift shortens the steps.
-constexpr double next_part_of_shift = 1.0 / 16;
+/// Part of a shift with which the next step begins if the shift shortens the steps, and the least such shift without contact: a
+/// smaller one lets rounding lead a perfect shell away from the unstable state that it cannot leave by itself.
+constexpr double next_part_of_shift = 1.0 / 16, least_without_contact = 1e-6;
 
 /// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
 /// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
@@ -48,7 +49,11 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     const double size =
         std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
     start.prestress.is_exact = step.shift == 0 && size < near_end && size > slow * before;
-    if (step.shift > 0) start.next_shift = size < before ? next_part_of_shift * step.shift : step.shift;
+    if (step.shift > 0) {
+      const bool touches = !step.box.iterations.empty() && step.box.iterations.back().active > 0;
+      const double smaller = std::max(next_part_of_shift * step.shift, touches ? 0.0 : least_without_contact);
+      start.next_shift = size < before ? smaller : step.shift;
+    }
     // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
     const bool is_rounding = size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
     before = size;
