@@ -101,7 +101,7 @@ class Function:
     second: likewise the second derivatives: xx, xy, yy or XX, XY, XZ, YY, YZ, ZZ, those of the arguments that there are.
         Without it differences of order 6 of the first derivatives are taken; their error is about (step / scale)^6 of the
         function, plus rounding.
-        Given derivatives are compared with differences at the first 200 places; wrong ones raise CaseError.
+        Given derivatives are compared with differences at 200 places of the first calls; wrong ones raise CaseError.
     scale: a length over which the function changes much [the unit of its arguments]; default: the range of the places at which
         it was called so far, which holds the shell. Give it for a shell that is small and far from the origin.
     step: step of these differences; default 1e-3 ``scale``.
@@ -122,6 +122,7 @@ class Function:
         self.arguments = _arguments(f)
         self._takes_complex: bool | None = None
         self._compared_places = 0
+        self._wrong: str | None = None  # what is wrong with the given derivatives
         self._lowest, self._highest = np.full(len(_NAMES), np.inf), np.full(len(_NAMES), -np.inf)
         self._stencils: dict[Any, _Stencil] = {}
         self._known_to: set[str] = set()
@@ -177,10 +178,13 @@ class Function:
     def _compare(self, places: Any) -> None:
         """Compares given derivatives with differences of what they are derivatives of. Where two steps give different
         differences, the function is not smooth enough to judge."""
+        if self._wrong:  # a caller may have tried other places after the first error
+            raise FunctionError(self._wrong)
         in_space = max(self.arguments) > 1
         if self._compared_places >= _COMPARED_PLACES or any((axis > 1) != in_space for axis in self.arguments):
             return
-        places = places[: _COMPARED_PLACES - self._compared_places]
+        left = _COMPARED_PLACES - self._compared_places
+        places = places[:: max(1, len(places) // left)][:left]  # spread over all places of the call
         self._compared_places += len(places)
         numbers = [_number_of(self.arguments, axis) for axis in self.arguments]
         self._compare_with(self.f, places, numbers, "gradient")
@@ -204,10 +208,11 @@ class Function:
         if wrong.any():
             k, i = np.argwhere(wrong)[0]
             place = ", ".join(f"{_NAMES[axis]} = {places[i, axis]:.6g}" for axis in self.arguments)
-            raise FunctionError(
+            self._wrong = (
                 f"has a wrong derivative: `{what}` gives {given[k, i]:.6g} {_by(self.arguments, (given_numbers or numbers)[k])} "
                 f"at {place}, and differences give {fine[k, i]:.6g}; correct it, or leave it out"
             )
+            raise FunctionError(self._wrong)
 
     def _by_stencil(self, places: Any, numbers: Iterable[int]) -> Any:
         """Values and derivatives from one call of f, at all places of a stencil."""

@@ -1,4 +1,5 @@
 #include <plastron/facets/cells.hpp>
+#include <plastron/facets/triangles.hpp>
 #include <plastron/facets/untangle.hpp>
 
 #include <Eigen/Geometry>
@@ -14,10 +15,6 @@
 namespace plastron::facets {
 
 namespace {
-
-using Ends = std::array<int, 2>;
-
-Ends ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Two triangles on a side and the quadrilateral that they make.
 struct Pair {

@@ -1,3 +1,4 @@
+#include <plastron/facets/triangles.hpp>
 #include <plastron/facets/untangle.hpp>
 
 #include <Eigen/Geometry>
@@ -12,10 +13,7 @@ namespace plastron::facets {
 
 namespace {
 
-using Ends = std::array<int, 2>;
 using Triangle = std::array<int, 3>;
-
-Ends ascending(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// A change of some triangles around a side.
 struct Change {
