@@ -2,6 +2,7 @@
 
 #include <plastron/certificate/core_depth.hpp>
 #include <plastron/certificate/inside_obstacles.hpp>
+#include <plastron/certificate/piece.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/obstacle/error.hpp>
 
@@ -171,27 +172,6 @@ class Paths {
 
   const assembly::DiscreteShell& discrete_;
   std::array<const Station*, 2> stations_;
-};
-
-/// A piece of a cell: the points whose coordinates differ from the centre's by at most `half`.
-struct Piece {
-  Vector2d centre;
-  double half;
-
-  /// Adds the four parts of the piece; on triangles those that have points of the cell.
-  void divide(mesh::Shape shape, std::vector<Piece>& parts) const {
-    for (const double i : {-0.5, 0.5})
-      for (const double j : {-0.5, 0.5}) {
-        const Vector2d middle = centre + half * Vector2d(i, j);
-        if (shape == mesh::Shape::quadrilateral || middle.sum() - half < 1) parts.push_back({middle, half / 2});
-      }
-  }
-  /// A point of the cell in the piece, and the largest difference of coordinates from it.
-  Piece inside(mesh::Shape shape) const {
-    if (shape == mesh::Shape::quadrilateral || centre.sum() <= 1) return *this;
-    const Vector2d moved = (centre.array() - (centre.sum() - 1) / 2).max(0);
-    return {moved, half + (moved - centre).cwiseAbs().maxCoeff()};
-  }
 };
 
 /// Searches a cell piece by piece; pieces that are not clear are divided.

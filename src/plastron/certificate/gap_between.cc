@@ -1,4 +1,5 @@
 #include <plastron/certificate/gap_between.hpp>
+#include <plastron/certificate/piece.hpp>
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/geometry/frame.hpp>
@@ -118,12 +119,6 @@ class CellPoints {
 
 /// Intervals per side: twice as fine as the nodes, four times as fine for degree 1.
 int intervals_of(int degree) { return std::max(4, 2 * degree); }
-
-/// A piece of a cell: the points whose coordinates differ from the centre's by at most `half`.
-struct Piece {
-  Vector2d centre;
-  double half;
-};
 
 Vector2d put_into(mesh::Shape shape, Vector2d xi) {
   xi = xi.cwiseMax(0).cwiseMin(1);
