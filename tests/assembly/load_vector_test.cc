@@ -76,7 +76,7 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
 
 // ---- loads made of pieces ------------------------------------------------------------------------------------------
 
-ShellOperator plate(int degree, mesh::Shape shape, int refinements = 1) {
+ShellOperator plate_operator(int degree, mesh::Shape shape, int refinements = 1) {
   const auto m = test::meshed(domain::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, degree, refinements, shape);
   return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
@@ -88,7 +88,7 @@ TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
   load.couple[0] = geometry::Expression("abs(x - 0.3)", {});
   for (const mesh::Shape shape : {test::quadrilateral, test::triangle})
     for (const int degree : {1, 2}) {
-      const auto sum = total(load_vector(plate(degree, shape), {.on_areas = {load}}));
+      const auto sum = total(load_vector(plate_operator(degree, shape), {.on_areas = {load}}));
       EXPECT_NEAR(sum[2], 1.0 / 3 + (1 - 0.49), 1e-3);
       EXPECT_NEAR(sum[3], (0.09 + 0.49) / 2, 1e-6);
     }
@@ -99,7 +99,7 @@ TEST(PiecewiseLoad, OnAnEdgeSumsToItsIntegral) {
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   load.couple[1] = geometry::Expression("max(x - 0.3, 0)", {});
   for (const mesh::Shape shape : {test::quadrilateral, test::triangle}) {
-    const auto sum = total(load_vector(plate(2, shape), {.on_edges = {load}}));
+    const auto sum = total(load_vector(plate_operator(2, shape), {.on_edges = {load}}));
     EXPECT_NEAR(sum[2], 1.0 / 3, 2e-6);
     EXPECT_NEAR(sum[4], 0.49 / 2, 1e-6);
   }
@@ -122,7 +122,7 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
 double pressed(const std::string& pressure, mesh::Shape shape = test::quadrilateral) {
   AreaLoad load;
   load.pressure = geometry::Expression(pressure, {{"a", 0.3141592653}, {"b", 0.6180339887}});
-  return total(load_vector(plate(2, shape), {.on_areas = {load}}))[2];
+  return total(load_vector(plate_operator(2, shape), {.on_areas = {load}}))[2];
 }
 
 TEST(PiecewiseLoad, OnANarrowPatchSumsToItsIntegral) {
@@ -147,7 +147,7 @@ TEST(PiecewiseLoad, OnAShortPartOfAnEdgeSumsToItsIntegral) {
     for (const double start : {0.1234567, 0.25, 0.6180339887, 0.99}) {
       EdgeLoad load{.boundary = "bottom"};
       load.force[1] = geometry::Expression("x > a && x < a + w ? 1 : 0", {{"a", start}, {"w", length}});
-      EXPECT_NEAR(total(load_vector(plate(2, test::quadrilateral), {.on_edges = {load}}))[1] / length, 1, 1e-6)
+      EXPECT_NEAR(total(load_vector(plate_operator(2, test::quadrilateral), {.on_edges = {load}}))[1] / length, 1, 1e-6)
           << start;
     }
 }
@@ -158,7 +158,7 @@ TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
   AreaLoad load;
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   const auto a = load_vector(covariant, {.on_areas = {load}}),
-             b = load_vector(plate(2, test::quadrilateral), {.on_areas = {load}});
+             b = load_vector(plate_operator(2, test::quadrilateral), {.on_areas = {load}});
   for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-14);
 }
 
@@ -169,7 +169,7 @@ TEST(LoadVector, OfALoadThatIsNotFiniteSaysWhere) {
   edge.couple[0] = geometry::Expression("sqrt(y - 0.9)", {});
   for (const Loads& loads : {Loads{.on_areas = {area}}, Loads{.on_edges = {edge}}}) {
     try {
-      load_vector(plate(2, test::quadrilateral), loads);
+      load_vector(plate_operator(2, test::quadrilateral), loads);
       FAIL() << "accepted";
     } catch (const LoadError& error) {
       EXPECT_NE(std::string(error.what()).find("not a number near x = 0"), std::string::npos) << error.what();
