@@ -7,10 +7,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace plastron::verification::finite_meshes_test {
 namespace {
 
 using assembly::Direction, assembly::Unknown;
+using std::numbers::pi;
 using Eigen::Vector3d;
 using mesh::Shape;
 using namespace topology::space_meshes;  // NOLINT: builders of meshes

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-namespace plastron {
+namespace plastron::vanishing_sums {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -131,4 +131,4 @@ energy = 1e-3
 }
 
 }  // namespace
-}  // namespace plastron
+}  // namespace plastron::vanishing_sums
