@@ -13,9 +13,9 @@ namespace plastron::verification::finite_meshes_test {
 namespace {
 
 using assembly::Direction, assembly::Unknown;
-using std::numbers::pi;
 using Eigen::Vector3d;
 using mesh::Shape;
+using std::numbers::pi;
 using namespace topology::space_meshes;  // NOLINT: builders of meshes
 using namespace domain::space_meshes;    // NOLINT: builders of meshes
 
