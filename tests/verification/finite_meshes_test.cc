@@ -73,6 +73,17 @@ problem::Problem problem_on(const Part& part) {
   return problem;
 }
 
+/// The same, clamped where x = 1.
+problem::Problem clamped(const Part& part) {
+  problem::Problem p = problem_on(part);
+  p.shell.supports = {{.boundary = "end", .components = {}}};
+  for (const auto unknown : {Unknown::displacement, Unknown::rotation})
+    for (const auto direction : {Direction::x, Direction::y, Direction::z})
+      p.shell.supports[0].components.push_back({unknown, direction, geometry::Expression(0.0)});
+  p.checks_model = false;
+  return p;
+}
+
 computation::Result solved(const problem::Problem& problem, const std::string& name) {
   computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << name << " " << result.missed_limits;
@@ -81,19 +92,29 @@ computation::Result solved(const problem::Problem& problem, const std::string& n
 
 TEST(FiniteRotations, HaveTheNumbersOfTheLinearModelAtSmallLoads) {
   for (const Part& part : parts()) {
-    problem::Problem p = problem_on(part);
-    p.shell.supports = {{.boundary = "end", .components = {}}};
-    for (const auto unknown : {Unknown::displacement, Unknown::rotation})
-      for (const auto direction : {Direction::x, Direction::y, Direction::z})
-        p.shell.supports[0].components.push_back({unknown, direction, geometry::Expression(0.0)});
+    problem::Problem p = clamped(part);
     assembly::AreaLoad load;
     for (std::size_t k = 0; k < 3; ++k) load.force[k] = geometry::Expression(1e-5 * (1 + static_cast<double>(k)));
     p.shell.loads.on_areas = {load};
-    p.checks_model = false;
     const double linear = solved(p, part.name).summary.energy.total();
     p.shell.rotations = element::Rotations::finite;
     EXPECT_NEAR(solved(p, part.name).summary.energy.total() / linear, 1, 1e-5) << part.name;
   }
+}
+
+TEST(FiniteRotations, RestInOneOrTwoStepsWithoutLoads) {
+  for (const Part& part : parts())
+    for (int refinements = 0; refinements <= (part.degree > 2 ? 1 : 2); ++refinements)
+      for (const double thickness : {0.02, 1e-4}) {
+        problem::Problem p = clamped(part);
+        p.shell.rotations = element::Rotations::finite;
+        p.shell.sections.common.thickness = geometry::Expression(thickness);
+        p.discretisation.refinements = refinements;
+        const std::string name = fmt::format("{}, refined {} times, thickness {}", part.name, refinements, thickness);
+        const computation::Result result = solved(p, name);
+        EXPECT_LT(result.summary.energy.total(), 1e-27 * 1e7 * thickness) << name;
+        EXPECT_LE(result.levels.back().iterations, 2) << name;
+      }
 }
 
 TEST(FiniteRotations, TurnWithABodyWithoutEnergy) {

@@ -19,6 +19,9 @@ constexpr double near_end = 0.1, slow = 0.05;
 /// smaller one lets rounding lead a perfect shell away from the unstable state that it cannot leave by itself.
 constexpr double next_part_of_shift = 1.0 / 16, least_without_contact = 1e-6;
 
+/// Strain that rounding leaves in a shell without forces.
+constexpr double rounding_strain = 1e-15;
+
 /// Ratio of the way of the shell to its first step, the linear prediction, beyond which a shell that lost the stiffness of a
 /// motion on the way has snapped; it is then a large part of the displacement, unlike the way from a coarser mesh.
 constexpr double far_beyond = 3, large_part = 0.2;
@@ -26,6 +29,21 @@ constexpr double far_beyond = 3, large_part = 0.2;
 double largest_way(algebra::Vector before, const algebra::Vector& now) {
   algebra::axpy(-1, now, before);
   return solution::largest_displacement(before);
+}
+
+/// Whether a short step has ended in a shell without strain: what follows is rounding, however large beside displacements that are
+/// rounding, too (collective).
+bool is_at_rest(const assembly::DiscreteShell& discrete, const finite::NewtonStep& step) {
+  if (step.largest_rotation >= small_step) return false;
+  double thickness = std::numeric_limits<double>::infinity(), energy = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const assembly::NodalPoint& point = discrete.points[i];
+    thickness = std::min(thickness, point.thickness);
+    energy += rounding_strain * rounding_strain * point.young * point.weight * point.thickness / 2;
+  }
+  const MPI_Comm comm = discrete.space().layout->comm;
+  return step.largest_displacement < small_step * algebra::min_over_ranks(thickness, comm) &&
+         discrete.energies(discrete.state.displacement).total() < algebra::sum_over_ranks(energy, comm);
 }
 
 /// Solves with finite rotations, by Newton steps from the state of the shell with the stresses and the zone of `start`.
@@ -57,7 +75,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
     const bool is_rounding = size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
     before = size;
-    if (size <= negligible_step || (step.shift == 0 && is_rounding)) break;
+    if (size <= negligible_step || (step.shift == 0 && (is_rounding || is_at_rest(discrete, step)))) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
   run.has_lost_stiffness = run.has_lost_stiffness || lost_stiffness;
