@@ -17,8 +17,8 @@ namespace {
 struct TouchingNode {
   int zone;
   const assembly::NodalPoint& point;
-  const obstacle::Gap& gap;
-  Vector3d place;  ///< on the undeformed face
+  const obstacle::Gap& gap;  ///< on a fold that of the deciding node, whose normal its force has
+  Vector3d place;            ///< on the undeformed face
   double pressure;
 };
 
@@ -27,9 +27,13 @@ template <class Visit>
 void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution::ContactFaces& faces,
                         std::size_t obstacle, const ZoneLabels& labels, Visit&& visit) {
   const auto block = static_cast<std::size_t>(faces.touching.block());
+  const auto deciding = [&](std::size_t i) {
+    const constraints::Row* kink = discrete.space().kinks.find(i);
+    return kink ? static_cast<std::size_t>(kink->terms.front().node) : i;
+  };
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
     if (!discrete.space().continuity.constrains(i) && faces.touching.local()[i * block + obstacle] != 0)
-      visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][i],
+      visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][deciding(i)],
                          discrete.touching_place(obstacle, i), faces.pressure.local()[i * block + obstacle]});
 }
 
