@@ -179,15 +179,15 @@ TEST(KinkedJoins, PressTheirEdgeOnATable) {
 
 /// A ball below the lower edge of two sheets: their sides share each force on the edge, which has one normal.
 TEST(KinkedJoins, PressTheirEdgeOnABall) {
-  for (const auto& [place, slope] : {std::pair{0.5, 1.0}, std::pair{0.3, 0.5}, std::pair{0.62, 0.3}}) {
+  for (const auto& [place, slope] : {std::pair{0.5, 1.0}, std::pair{0.25, 0.5}, std::pair{0.75, 0.3}}) {
     problem::Problem p = folded(-1);
     p.shell.supports = {clamped("west"), clamped("east")};
     p.charts.clear();
     p.charts.emplace("first", Chart({"x", "y", std::to_string(slope) + "*(1 - x)"}, {}));
     p.charts.emplace("second", Chart({"x - 1", "y", "0.3*(x - 2)"}, {}));
     p.discretisation.refinements = 1;
-    p.shell.loads.on_areas = {force(0, 0, -20)};
-    p.shell.obstacles.all = {{.shape = obstacle::Ball{.centre = {1, place, -0.53}, .radius = 0.5}}};
+    p.shell.loads.on_areas = {force(0, 0, -2)};
+    p.shell.obstacles.all = {{.shape = obstacle::Ball{.centre = {1, place, -0.325}, .radius = 0.3}}};
     const Result result = solve(p, MPI_COMM_WORLD);
     ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
     Vector3d force_of_zones = Vector3d::Zero(), moment = Vector3d::Zero();
@@ -196,7 +196,7 @@ TEST(KinkedJoins, PressTheirEdgeOnABall) {
       moment += zone.reaction.moment;
     }
     const auto& reaction = result.summary.obstacles[0].reaction;
-    EXPECT_GT(reaction.force[2], 0.1);
+    EXPECT_GT(reaction.force[2], 0.01);
     EXPECT_LT((force_of_zones - reaction.force).norm(), 1e-12 * reaction.force.norm()) << place;
     EXPECT_LT((moment - reaction.moment).norm(), 1e-12 * reaction.force.norm()) << place;
   }
