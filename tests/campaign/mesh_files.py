@@ -65,7 +65,7 @@ class MeshOf:
         cells = self.cells.setdefault(patch.name, [])
         for i in range(nx):
             for j in range(ny):
-                self._add_cell(cells, lambda a, b: grid[i * p + a][j * p + b], 2 * j >= ny)
+                self._add_cell(cells, lambda a, b: grid[i * p + a][j * p + b], y[j * p] + y[(j + 1) * p] > 0)
         along = {"bottom": [g[0] for g in grid], "top": [g[-1] for g in grid], "left": grid[0], "right": grid[-1]}
         for side, nodes in along.items():
             name = names.get((patch.name, side)) or self.seam_name(patch.name, side)

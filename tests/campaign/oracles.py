@@ -21,7 +21,8 @@ class Oracle:
         """The second case (row and extra), or None where the oracle does not apply."""
         rng = random.Random(f"{case.key}/{self.name}")
         changed = self.change(case.row, rng)
-        if changed is None:
+        # Lifted bounds depend on the path on which they were lifted.
+        if changed is None or self.kind == "iterated" and case.row["admissible"] == "yes":
             return None
         row = case.row | {k: v for k, v in changed.items() if k in FEATURES}
         extra = {k: v for k, v in changed.items() if k not in FEATURES}
@@ -83,7 +84,10 @@ def other_surface(row, rng):
 
 
 def half_and_whole(row, rng):
-    if row["symmetry"] == "none" or (row["source"] not in PLANE and row["surface"] != "plate") or row["source"] == "facets" or not given(row) or (row["cells"] == "triangle" and row["source"] == "rectangle"):
+    """Not with lifted bounds: they depend on the pieces in which cells are searched, which a plane of symmetry divides in another way."""
+    if row["symmetry"] == "none" or not given(row) or row["admissible"] == "yes":
+        return None
+    if (row["source"] not in PLANE and row["surface"] != "plate") or row["source"] == "facets" or (row["cells"] == "triangle" and row["source"] == "rectangle"):
         return None
     return {"symmetry": "half" if row["symmetry"] == "whole" else "whole"}
 
