@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -18,14 +19,14 @@ computation::Result solved(const std::string& text) {
   return computation::solve(config::parse_case(text, "narrow.toml").problem, MPI_COMM_WORLD);
 }
 
-/// A strip between two simple supports under a load, with an obstacle above it.
-computation::Result pressed_strip(const std::string& obstacle, int cells, double load = 0) {
+/// A strip between two simple supports under a load, with an obstacle above it; or its half y > 0 with as many cells.
+computation::Result pressed_strip(const std::string& obstacle, int cells, double load = 0, bool is_half = false) {
   return solved(fmt::format(R"case([shell]
 E = 1
 nu = 0.3
 thickness = 0.05
 [geometry]
-domain = {{ rectangle = {{ from = [-1, -0.5], to = [1, 0.5], cells = [{0}, {0}] }} }}
+domain = {{ rectangle = {{ from = [-1, {3}], to = [1, 0.5], cells = [{0}, {4}] }} }}
 chart = ["x", "y", 0]
 [mesh]
 degree = 4
@@ -33,7 +34,7 @@ refinements = 0
 [[support]]
 boundary = ["left", "right"]
 fix = ["u"]
-[[load]]
+{5}[[load]]
 force = [0, 0, {2}]
 [[obstacle]]
 name = "die"
@@ -46,13 +47,31 @@ at = [0, 0]
 name = "beside"
 at = [0.5, 0.3]
 )case",
-                            cells, obstacle, load));
+                            cells, obstacle, load, is_half ? 0 : -0.5, is_half ? cells / 2 : cells,
+                            is_half ? "[[support]]\nboundary = \"bottom\"\nfix = [\"symmetry\"]\n" : ""));
 }
 
 std::vector<recovery::SingularPlace> contact_places(const computation::Result& result) {
   std::vector<recovery::SingularPlace> places = result.singular_places;
   std::erase_if(places, [](const auto& place) { return place.what.find("contact") == std::string::npos; });
   return places;
+}
+
+/// A plane of symmetry is no edge: the shell goes on beyond it.
+TEST(NarrowContact, IsThatOfTheWholeOnAPlaneOfSymmetry) {
+  for (const char* obstacle : {"cylinder = { axis = [0, 1, 0], radius = 0.2, point = [0, 0, 0.22] }",
+                               "ball = { centre = [0, 0, 0.22], radius = 0.2 }"}) {
+    const auto whole = pressed_strip(obstacle, 4), half = pressed_strip(obstacle, 4, 0, true);
+    ASSERT_EQ(half.status, contact::Status::solved) << half.missed_limits;
+    EXPECT_NEAR(2 * half.summary.energy.total(), whole.summary.energy.total(), 1e-9 * whole.summary.energy.total());
+    EXPECT_EQ(half.summary.edge.is_line(), whole.summary.edge.is_line());
+    EXPECT_EQ(contact_places(half).size(), contact_places(whole).size()) << obstacle;
+    const auto error = [](const computation::Result& result) {
+      const auto& goals = result.estimates->goals;
+      return std::ranges::find(goals, "energy", &estimation::GoalEstimate::name)->error();
+    };
+    EXPECT_NEAR(2 * error(half) / error(whole), 1, 0.5) << obstacle;
+  }
 }
 
 TEST(NarrowContact, IsNamedAndNotRanked) {

@@ -88,7 +88,7 @@ std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, con
 void add_pushed_nodes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                       solution::Summary& summary) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  const std::vector<char> on_edges = solution::nodes_on_edges(discrete.space());
+  const std::vector<char> on_edges = solution::nodes_on_edges(discrete);
   for (std::size_t k = 0; k < summary.obstacles.size(); ++k) {
     const auto pushed = algebra::in_agreement<obstacle::ObstacleError>(
         comm, [&] { return pushed_sideways(discrete, solution, k, on_edges); });

@@ -150,8 +150,7 @@ std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const
 void ContactEdge::find_rim() {
   const fem::Space& space = solved_.discrete.space();
   on_rim_.assign(solved_.discrete.points.size(), 0);
-  for (const fem::BoundarySide& side : space.sides) {
-    if (side.is_inner) continue;
+  for (const fem::BoundarySide& side : solution::edge_sides(solved_.discrete)) {
     if (side.cell < space.owned_cells) rim_sides_.emplace_back(side.cell, side.side);
     for (const int node : mesh::side_nodes(space.shape(), space.degree, side.side))
       on_rim_[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(node)])] = 1;

@@ -4,6 +4,7 @@
 #include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace plastron::solution {
@@ -85,12 +86,8 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
   const auto line = mesh::gauss_lobatto(space.degree + 1).points;
   algebra::Vector lengths(space.layout, 1);
   std::vector<geometry::Frame> frames(line.size());
-  const fem::BoundarySide* last = nullptr;
-  for (const fem::BoundarySide& edge : space.sides) {
-    // A side with several names occurs several times.
-    const bool is_seen = last && last->cell == edge.cell && last->side == edge.side;
-    last = &edge;
-    if (is_seen || edge.is_inner || edge.cell >= space.owned_cells) continue;
+  for (const fem::BoundarySide& edge : edge_sides(discrete)) {
+    if (edge.cell >= space.owned_cells) continue;
     std::vector<Eigen::Vector2d> xi;
     xi.reserve(line.size());
     for (const double t : line) xi.push_back(mesh::side_point(space.shape(), edge.side, t));
@@ -109,12 +106,29 @@ algebra::Vector edge_lengths(const assembly::DiscreteShell& discrete) {
 
 }  // namespace
 
-std::vector<char> nodes_on_edges(const fem::Space& space) {
-  std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
+std::vector<fem::BoundarySide> edge_sides(const assembly::DiscreteShell& discrete) {
+  const fem::Space& space = discrete.space();
+  const auto is_mirrored = [&](const fem::BoundarySide& side) {
+    return side.boundary >= 0 && std::ranges::any_of(discrete.supports, [&](const assembly::Support& support) {
+             return support.symmetry &&
+                    support.boundary == space.coarse->boundaries[static_cast<std::size_t>(side.boundary)];
+           });
+  };
+  std::set<std::pair<std::size_t, int>> left_out;  // or seen: a side with several names occurs several times
   for (const fem::BoundarySide& side : space.sides)
-    if (!side.is_inner)
-      for (const int i : mesh::side_nodes(space.shape(), space.degree, side.side))
-        marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
+    if (side.is_inner || is_mirrored(side)) left_out.emplace(side.cell, side.side);
+  std::vector<fem::BoundarySide> sides;
+  for (const fem::BoundarySide& side : space.sides)
+    if (left_out.emplace(side.cell, side.side).second) sides.push_back(side);
+  return sides;
+}
+
+std::vector<char> nodes_on_edges(const assembly::DiscreteShell& discrete) {
+  const fem::Space& space = discrete.space();
+  std::vector<char> marks(static_cast<std::size_t>(space.layout->local_size()));
+  for (const fem::BoundarySide& side : edge_sides(discrete))
+    for (const int i : mesh::side_nodes(space.shape(), space.degree, side.side))
+      marks[static_cast<std::size_t>(space.nodes(side.cell)[static_cast<std::size_t>(i)])] = 1;
   return marks;
 }
 

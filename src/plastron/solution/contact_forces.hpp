@@ -43,8 +43,11 @@ struct EdgeContact {
   }
 };
 
+/// Returns the local sides on edges of the shell, each once. Beyond joined edges and planes of symmetry the shell goes on: they are
+/// none.
+std::vector<fem::BoundarySide> edge_sides(const assembly::DiscreteShell& discrete);
 /// Marks the local nodes on edges of the shell.
-std::vector<char> nodes_on_edges(const fem::Space& space);
+std::vector<char> nodes_on_edges(const assembly::DiscreteShell& discrete);
 
 /// Computes the contact along edges (collective).
 EdgeContact edge_contact(const assembly::DiscreteShell& discrete, const NodalSolution& solution);
