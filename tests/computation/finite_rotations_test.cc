@@ -459,6 +459,31 @@ TEST(Vibration, OfAPinnedStripIsTimoshenkos) {
   }
 }
 
+// A square plate without supports has six rigid motions, then the frequencies of D. J. Gorman, Free vibration analysis of rectangular
+// plates (1982), omega L^2 sqrt(rho e / D), for thin plates. Both models are at rest before.
+TEST(Vibration, OfAFreePlateBeginsWithItsRigidMotions) {
+  constexpr std::array known{13.468, 19.596, 24.270};
+  for (const element::Rotations rotations : {element::Rotations::small, element::Rotations::finite}) {
+    problem::Problem p = shell_of({"x", "y", "0"}, 1e-3, 0);
+    p.domain = domain::Rectangle{.to = {1, 1}, .cells = {4, 4}};
+    p.discretisation.degree = 5;
+    p.shell.rotations = rotations;
+    p.shell.sections.common.density = 1;
+    p.modes.vibration = 9;
+    EXPECT_FALSE(has_errors(examination::examine(p)));
+    const Result r = solve(p, MPI_COMM_WORLD);
+    EXPECT_EQ(r.status, contact::Status::solved) << r.missed_limits;
+    EXPECT_TRUE(r.warnings.empty());
+    const std::vector<double> values = values_of(r, Mode::Kind::vibration);
+    ASSERT_EQ(values.size(), 9U);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(values[i], 0);
+    for (std::size_t i = 0; i < known.size(); ++i)
+      EXPECT_NEAR(std::sqrt(values[6 + i] * 12 * (1 - 0.09)) / 1e-3, known[i], 2e-3 * known[i]);
+    p.shell.loads.on_areas = {force(0, 0, -1e-9)};
+    EXPECT_TRUE(has_errors(examination::examine(p)));
+  }
+}
+
 // Under half of the buckling load, the square of the lowest frequency is half; above the load the motion grows.
 TEST(Vibration, FeelsTheStressesOfTheSolution) {
   double before = 0;

@@ -52,6 +52,19 @@ TEST(EverySolver, calls_a_structure_that_nothing_holds_singular) {
   }
 }
 
+TEST(Solve, finds_a_structure_at_rest_that_nothing_holds_or_loads) {
+  for (const Eigen::Index n : {3, 6, 11, 24}) {
+    DistributedProblem problem(free_springs(n));
+    algebra::Factorisation F(problem.matrix);
+    const auto at_rest = contact::solve(*problem.box, {}, F);
+    EXPECT_EQ(at_rest.status, Status::solved);
+    EXPECT_EQ(algebra::max_abs(at_rest.z), 0);
+    EXPECT_EQ(algebra::max_abs(at_rest.multiplier), 0);
+    problem.box->may_be_indefinite = true;  // rest may be no minimum then
+    EXPECT_EQ(contact::solve(*problem.box, {}, F).status, Status::singular);
+  }
+}
+
 TEST(EverySolver, lets_an_obstacle_alone_hold_a_structure_that_is_pressed_on_it) {
   for (const Eigen::Index n : {3, 6, 11, 24}) {
     DenseProblem dense = free_springs(n);

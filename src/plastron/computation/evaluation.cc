@@ -107,10 +107,18 @@ void judge_certificate(Result& result) {
     result.status = contact::Status::inaccurate;
 }
 
+bool is_at_rest(const solution::Summary& summary) {
+  return summary.max_displacement == 0 && summary.initial_energy == 0 && summary.load_norms == 0;
+}
+
 void examine_stability(Result& result, Solution& solution) {
   result.stability.reset();
   const bool is_solved = result.status == contact::Status::solved || result.status == contact::Status::inaccurate;
   if (!solution.discrete->has_finite_rotations() || !is_solved) return;
+  if (is_at_rest(result.summary)) {  // also where nothing holds it
+    result.stability = {.margin = 1, .margin_without_weak_contact = 1};
+    return;
+  }
   finite::ExaminedStability found = finite::examine_stability(*solution.discrete, solution.nodal);
   result.stability = found.stability;
   const double margin = found.stability.margin;

@@ -11,6 +11,9 @@ namespace plastron::computation {
 /// Sets the limits of the result's certificate. A row beyond its limit makes a solved result inaccurate, and is named.
 void judge_certificate(Result& result);
 
+/// Whether nothing loads, strains or moves the shell.
+bool is_at_rest(const solution::Summary& summary);
+
 /// With finite rotations, examines whether the solution is stable, and adds its softest motion to the solution's modes. A motion
 /// that lowers the energy makes a solved result unstable (collective).
 void examine_stability(Result& result, Solution& solution);

@@ -174,6 +174,7 @@ void Run::take(LevelResult level) {
 void Run::check_model(double time) {
   if (!problem.checks_model || problem.shell.rotations == element::Rotations::finite) return;
   if (result.status != contact::Status::solved && result.status != contact::Status::inaccurate) return;
+  if (is_at_rest(result.summary)) return;
   Stopwatch watch;
   ModelCheck check{.status = contact::Status::infeasible};
   contact::Settings settings = task_after_first_level(last_level()).settings;

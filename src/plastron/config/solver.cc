@@ -41,7 +41,7 @@ Section modes_section() {
            "shell buckles; the smallest positive ones"),
        key("vibration", &problem::Modes::vibration, {.fallback = "0", .range = counts},
            "number of natural frequencies, the lowest ones; they need a density. The stresses of the solution change "
-           "them")}};
+           "them. An unloaded shell needs no supports: its rigid motions have the frequency 0")}};
 }
 
 Section solver_section() {

@@ -83,13 +83,29 @@ BoxSolution solve_projected_search(const BoxProblem& problem, std::span<const Ac
   return solution;
 }
 
+/// Whether z = 0 meets the bounds and carries the load, which is zero.
+bool is_at_rest(const BoxProblem& problem) {
+  double most = algebra::max_abs(problem.load);
+  for (std::size_t i = 0; i < problem.load.owned().size(); ++i)
+    most = std::max({most, problem.lower.owned()[i], -problem.upper.owned()[i]});
+  return !problem.may_be_indefinite && problem.pressing.empty() &&
+         algebra::max_over_ranks(most, problem.load.layout()->comm) <= 0;
+}
+
 SolverFunction& solver_of(const Settings& settings) {
   return settings.solver ? *settings.solver : solve_primal_dual_active_set;
 }
 
 BoxSolution solve(const BoxProblem& problem, std::span<const Activity> initial, algebra::Preconditioner& preconditioner,
                   const Settings& settings, const Observer& observer) {
-  return solver_of(settings)(problem, initial, preconditioner, settings, observer);
+  BoxSolution solution = solver_of(settings)(problem, initial, preconditioner, settings, observer);
+  // An unloaded structure is at rest, also where motions are free.
+  if (solution.status == Status::singular && is_at_rest(problem)) {
+    std::vector<Iteration> iterations = std::move(solution.iterations);
+    solution = unsolved(problem, Status::solved);
+    solution.iterations = std::move(iterations);
+  }
+  return solution;
 }
 
 }  // namespace plastron::contact

@@ -25,6 +25,12 @@ algebra::Vector load_of(const Examined& examined) {
   return assembly::load_vector(shell, problem.shell.loads);
 }
 
+/// Whether natural frequencies are asked of an unloaded shell without obstacles. It is at rest, whatever holds it.
+bool vibrates_at_rest(const Examined& examined, const algebra::Vector& load) {
+  const problem::Problem& problem = examined.problem;
+  return problem.modes.vibration > 0 && problem.shell.obstacles.empty() && algebra::max_abs(load) == 0;
+}
+
 std::string hold_text(const Pressing& pressing, const RigidMotions& motions) {
   const std::string motion = motions.in_words(pressing.motion);
   if (pressing.hold == Hold::pulled_off)
@@ -146,9 +152,14 @@ std::vector<std::string> in_words(const RigidMotions& motions, const Eigen::Matr
 void check_one_part(Examined& examined, const ExaminedNodes& nodes, const ShellPart& part) {
   const RigidMotions motions(part.points);
   const FreeMotions free = free_rigid_motions(motions, part, nodes.coordinates);
+  const bool is_at_rest = free.unheld.cols() > 0 && vibrates_at_rest(examined, load_of(examined));
   for (const std::string& motion : in_words(motions, free.unheld))
-    examined.add(Severity::error,
-                 "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries", motion);
+    if (is_at_rest)
+      examined.add(Severity::note, "nothing holds the rigid motion: {}; its natural frequency is 0", motion);
+    else
+      examined.add(Severity::error,
+                   "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries",
+                   motion);
   if (free.held_by_obstacle.cols() > 0) {
     const algebra::Vector load = load_of(examined);
     const Pressing found = pressing(motions, free.held_by_obstacle, part, nodes.coordinates, load.owned());
@@ -185,9 +196,13 @@ std::string place_of_part(const Examined& examined, const ShellPart& part) {
 }
 
 /// The finding at one of several parts that are not joined; no text if its supports hold it.
-Finding motions_of_part(const ExaminedNodes& nodes, const ShellPart& part, const algebra::Vector& load) {
+Finding motions_of_part(const Examined& examined, const ExaminedNodes& nodes, const ShellPart& part,
+                        const algebra::Vector& load) {
   const RigidMotions motions(part.points);
   const FreeMotions free = free_rigid_motions(motions, part, nodes.coordinates);
+  if (free.unheld.cols() > 0 && vibrates_at_rest(examined, load))
+    return {Severity::note, fmt::format("nothing holds the rigid motions: {}; their natural frequencies are 0",
+                                        fmt::join(in_words(motions, free.unheld), "; "))};
   if (free.unheld.cols() > 0)
     return {
         Severity::error,
@@ -207,7 +222,7 @@ void check_parts(Examined& examined, const ExaminedNodes& nodes, const std::vect
   const algebra::Vector load = load_of(examined);
   std::map<Severity, std::size_t> count;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Finding found = motions_of_part(nodes, parts[k], load);
+    const Finding found = motions_of_part(examined, nodes, parts[k], load);
     if (!found.text.empty() && ++count[found.severity] <= described)
       examined.add(found.severity, "part {} of {}, {}: {}", k + 1, parts.size(), place_of_part(examined, parts[k]),
                    found.text);
