@@ -149,6 +149,29 @@ TEST(FacetMesh, CanConsistOfTriangles) {
   EXPECT_EQ(surface_mesh(surface, mesh::Shape::triangle).shape, mesh::Shape::triangle);
 }
 
+/// A square of 10 m with a bump of a height and a radius in the middle, where the facets are fine.
+std::string bump(double height, double radius) {
+  constexpr int n = 20;
+  const auto coordinate = [](int i) { return 5 * std::pow(static_cast<double>(i) / n, 3); };
+  const auto at = [&](int i, int j) {
+    const double x = coordinate(i), y = coordinate(j);
+    return Vector3d(x, y, height * std::exp(-(x * x + y * y) / (radius * radius)));
+  };
+  std::string text = "solid\n";
+  for (int i = -n; i < n; ++i)
+    for (int j = -n; j < n; ++j) text += quadrilateral(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  return text + "endsolid\n";
+}
+
+TEST(FacetMesh, OfFeaturesNarrowerThanTheUsualCellsHasSmallerCellsOrThoseOfItsFacets) {
+  const auto about = [](const char* text) { return Contains(HasSubstr(text)); };
+  const FileSurface wide = facet_surface(bump(2, 0.3)), narrow = facet_surface(bump(1, 0.1));
+  EXPECT_THAT(wide.notes, AllOf(about("were remeshed"), about("larger cells fold")));
+  EXPECT_THAT(narrow.notes, AllOf(about("were divided into quadrilaterals"), about("larger cells fold")));
+  EXPECT_THAT(facet_refusal(bump(2, 0.3), {.size = std::sqrt(1.0 / 20)}), HasSubstr("or take another size"));
+  EXPECT_THAT(facet_surface(cube()).notes, testing::Not(about("larger cells fold")));
+}
+
 TEST(FacetMesh, IsTheSameOnEveryReading) {
   const auto nodes = [] { return facet_surface(tube(36)).topology.mesh.nodes; };
   EXPECT_EQ(nodes(), nodes());

@@ -108,7 +108,8 @@ std::vector<Section> geometry_sections() {
             "(.stl, .obj, .ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
         key("size", &SpaceReading::size, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
-            "sides of the cells that are made from facets. If not given: about 2000 quadrilaterals on the surface. "
+            "sides of the cells that are made from facets. If not given: about 2000 quadrilaterals on the surface, "
+            "or smaller ones where these fold at small features. "
             "`plastron check` prints it"),
         key("scale", &SpaceReading::scale, {.fallback = "1", .range = Range::positive()},
             "factor from the lengths of the file to those of the case: 1e-3 for a file in millimetres"),

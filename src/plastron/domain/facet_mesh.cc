@@ -123,11 +123,11 @@ MeshData data_of(const std::vector<Vector3d>& points, const std::vector<facets::
   return data;
 }
 
-MeshData meshed(const Facets& facets, double size, mesh::Shape shape, const std::string& path) {
+MeshData meshed(const Facets& facets, std::optional<double> size, mesh::Shape shape, const std::string& path) {
   const auto itself = [](const auto& element) { return element; };
   if (shape == mesh::Shape::triangle) {
-    facets::Remeshed mesh = facets::remesh(facets, size, path);
-    facets::untangle(mesh);
+    facets::Remeshed mesh = size ? facets::remesh(facets, *size, path) : facets::as_they_are(facets);
+    if (size) facets::untangle(mesh);
     MeshData data = data_of(mesh.points, mesh.lines, facets);
     add_elements(
         2, mesh.triangles, itself, [&](std::size_t i) { return mesh.face_of[i]; }, data);
@@ -153,16 +153,18 @@ std::vector<std::string> folds_of(const MeshData& data, const Facets& facets, st
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-std::vector<std::string> notes_of(const Facets& facets, double size, mesh::Shape shape) {
+std::vector<std::string> notes_of(const Facets& facets, std::optional<double> size, mesh::Shape shape) {
   const char* error =
       facets.width > 0
           ? "the result has the error of the facets, which no refinement removes: for more accuracy export "
             "STEP from the CAD program, mesh it by Gmsh with Mesh.ElementOrder = 2 and give the .msh file"
           : "all surfaces are plane, so the facets have no error";
+  const char* cells = shape == mesh::Shape::triangle ? "triangles" : "quadrilaterals";
   std::vector<std::string> notes{
-      fmt::format("{} facets of {:.6g} m^2 were remeshed with {} with sides of about {:.3g} m (size); {}",
-                  facets.mesh.triangles.size(), facets::area_of(facets.mesh),
-                  shape == mesh::Shape::triangle ? "triangles" : "quadrilaterals", size, error)};
+      fmt::format("{} facets of {:.6g} m^2 were {}; {}", facets.mesh.triangles.size(), facets::area_of(facets.mesh),
+                  size ? fmt::format("remeshed with {} with sides of about {:.3g} m (size)", cells, *size)
+                       : fmt::format("divided into {}", cells),
+                  error)};
   std::vector<std::string> angles;
   if (facets.width > 0)
     angles.push_back(
@@ -211,15 +213,16 @@ std::vector<std::string> warnings_of(const Facets& facets, double size) {
 
 }  // namespace
 
-FacetMesh mesh_facets(const std::string& path, const SpaceReading& reading, mesh::Shape shape) {
+FacetMesh mesh_facets(const std::string& path, const SpaceReading& reading, mesh::Shape shape, double part) {
   try {
     const Facets facets = read_facets(path, reading);
-    const double size = reading.size.value_or(default_size(facets));
-    check_size(path, facets.mesh, size);
+    std::optional<double> size = reading.size;
+    if (!size && part > 0) size = part * default_size(facets);
+    if (size) check_size(path, facets.mesh, *size);
     FacetMesh mesh{.data = meshed(facets, size, shape, path), .reading = reading};
     mesh.data.source = path;
     mesh.data.notes = notes_of(facets, size, shape);
-    mesh.data.warnings = warnings_of(facets, size);
+    mesh.data.warnings = warnings_of(facets, size.value_or(facets.width));
     number_nodes(mesh.data);
     mesh.reading.scale = 1;
     mesh.reading.tolerance.reset();

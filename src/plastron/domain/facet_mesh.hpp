@@ -12,9 +12,10 @@ struct FacetMesh {
   SpaceReading reading{};
 };
 
-/// Reads facets and meshes them with quadrilaterals, or with triangles, with sides of about `reading.size`. Smooth faces
+/// Reads facets and meshes them with quadrilaterals, or with triangles, with sides of about `reading.size`; if it is not given, of
+/// about `part` of the usual size, or with those of the facets themselves if `part` is 0. Smooth faces
 /// are regions with the name of their solid or group in the file, or "surface 1", ...; the curves between them are "edge 1",
 /// ... (facets/facets.hpp). Throws DomainError.
-FacetMesh mesh_facets(const std::string& path, const SpaceReading& reading, mesh::Shape shape);
+FacetMesh mesh_facets(const std::string& path, const SpaceReading& reading, mesh::Shape shape, double part = 1);
 
 }  // namespace plastron::domain

@@ -350,18 +350,33 @@ FileSurface surface_of(const MeshData& data, const SpaceReading& reading, std::o
   }
 }
 
-/// Messages about cells say that these were made: the file has other numbers.
-FileSurface surface_of_facets(const FacetMesh& mesh, std::optional<mesh::Shape> shape) {
-  try {
-    FileSurface surface = surface_of(mesh.data, mesh.reading, shape);
-    surface.is_remeshed = true;
-    return surface;
-  } catch (const mesh::DomainError& error) {
-    const std::string text = error.what();
-    if (text.find(" element ") == std::string::npos) throw;
-    throw mesh::DomainError(
-        text + "; the elements are cells that were made from the facets: repair the facets at these places");
+/// Meshes facets. Where cells of the usual size fold at small features, smaller ones are tried, and the facets themselves at last.
+FileSurface surface_of_facets(const MeshFile& file, std::optional<mesh::Shape> shape) {
+  const SpaceReading& reading = *file.in_space;
+  constexpr std::size_t many = 10000;  // cells: smaller ones are not tried
+  std::string message;
+  std::size_t elements = 0;
+  for (const double part : {1.0, 0.7, 0.5, 0.35, 0.0}) {
+    if (part > 0 && elements > many) continue;
+    try {
+      const FacetMesh mesh = mesh_facets(file.path, reading, shape.value_or(mesh::Shape::quadrilateral), part);
+      elements = mesh.data.elements.size();
+      FileSurface surface = surface_of(mesh.data, mesh.reading, shape);
+      surface.is_remeshed = true;
+      if (part < 1)
+        surface.notes.emplace_back("larger cells fold at small features of the part; to choose their sides, set size");
+      return surface;
+    } catch (const mesh::DomainError& error) {
+      const std::string text = error.what();
+      if (part == 1 && text.find(" element ") == std::string::npos) throw;
+      if (part == 1) message = text;
+      if (reading.size || text.find("border") != std::string::npos) break;
+    }
   }
+  // The numbers are those of cells that the file does not have.
+  throw mesh::DomainError(message +
+                          "; the elements are cells that were made from the facets: repair the facets at these places" +
+                          (reading.size ? ", or take another size" : ""));
 }
 
 }  // namespace
@@ -383,9 +398,7 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
 }
 
 FileSurface read_surface(const MeshFile& file, std::optional<mesh::Shape> shape) {
-  if (geometry::is_triangle_file(file.path)) {
-    return surface_of_facets(mesh_facets(file.path, *file.in_space, shape.value_or(mesh::Shape::quadrilateral)), shape);
-  }
+  if (geometry::is_triangle_file(file.path)) return surface_of_facets(file, shape);
   const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
   return surface_of(data, *file.in_space, shape);
 }

@@ -193,11 +193,11 @@ class CellBuilder {
 
 }  // namespace
 
-Cells quadrilaterals(const Facets& facets, double size, const std::string& name) {
+Cells quadrilaterals(const Facets& facets, std::optional<double> size, const std::string& name) {
   constexpr double side_of_triangles = 2.2;  // of those that become quadrilaterals with sides of about 1
   const FacetProjection projection(facets);
-  Remeshed mesh = remesh(facets, side_of_triangles * size, name);
-  untangle(mesh);
+  Remeshed mesh = size ? remesh(facets, side_of_triangles * *size, name) : as_they_are(facets);
+  if (size) untangle(mesh);
   return CellBuilder(mesh, projection).build();
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 #include <plastron/facets/remesh.hpp>
 
+#include <optional>
+
 namespace plastron::facets {
 
 struct Cells {
@@ -12,9 +14,9 @@ struct Cells {
   std::vector<Remeshed::Line> lines{};
 };
 
-/// Makes quadrilaterals with sides of about `size` [m]: triangles (remesh), of which pairs are divided in four and the
-/// others in three. The middles of sides and cells are put onto the facets, those of lines onto their curves. A pair is
+/// Makes quadrilaterals with sides of about `size` [m]: triangles (remesh; without `size` the facets), of which pairs are divided
+/// in four and the others in three. The middles of sides and cells are put onto the facets, those of lines onto their curves. A pair is
 /// taken if all its angles are between 30 and 150 degrees, the best pairs first. Throws FileError as remesh().
-Cells quadrilaterals(const Facets& facets, double size, const std::string& name);
+Cells quadrilaterals(const Facets& facets, std::optional<double> size, const std::string& name);
 
 }  // namespace plastron::facets

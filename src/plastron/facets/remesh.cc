@@ -167,6 +167,13 @@ Remeshed remesh(const Facets& facets, double length, const std::string& name) {
   }
 }
 
+Remeshed as_they_are(const Facets& facets) {
+  Remeshed mesh{.points = facets.mesh.points, .triangles = facets.mesh.triangles, .face_of = facets.face_of};
+  for (std::size_t c = 0; c < facets.curves.size(); ++c)
+    for (const std::array<int, 2>& side : facets.curves[c].sides) mesh.lines.push_back({side, static_cast<int>(c)});
+  return mesh;
+}
+
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
 
 struct FacetProjection::Tree {

@@ -24,6 +24,9 @@ struct Remeshed {
 /// Isotropic remeshing by CGAL (Botsch and Kobbelt 2004): the same on every run.
 Remeshed remesh(const Facets& facets, double length, const std::string& name);
 
+/// Returns the facets themselves.
+Remeshed as_they_are(const Facets& facets);
+
 /// Finds the points of facets or of their curves that are nearest to given points.
 class FacetProjection {
  public:
