@@ -303,6 +303,19 @@ std::string place_text(const solution::Summary& s, const Eigen::Vector2d& at, co
 
 }  // namespace
 
+/// Prints the largest displacement of the steps where the end of the last one has a smaller one.
+void print_largest_of_steps(const computation::Result& result) {
+  constexpr double more = 1.01;
+  if (result.history.empty()) return;
+  const computation::HistoryEntry& most = *std::ranges::max_element(
+      result.history, {}, [](const computation::HistoryEntry& entry) { return entry.summary.max_displacement; });
+  const solution::Summary& s = most.summary;
+  if (!(s.max_displacement > more * result.summary.max_displacement)) return;
+  print(
+      "at time {:<10.4g}|u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad, strain {:.2g} %, the most of all times\n",
+      most.time, s.max_displacement, s.max_relative_displacement, s.max_rotation, 100 * s.max_strain);
+}
+
 void print_summary(const computation::Result& result) {
   const auto& s = result.summary;
   const auto& c = result.certificate;
@@ -318,6 +331,7 @@ void print_summary(const computation::Result& result) {
         s.max_relative_displacement, s.max_rotation);
   print_stress(result);
   print("                  strain {:.2g} %\n", 100 * s.max_strain);
+  print_largest_of_steps(result);
   print_layers(result);
   print("loads             {} N\n", vector_text(s.loads.force));
   print("supports          {} N\n", vector_text(s.support_reaction.force));

@@ -76,6 +76,21 @@ class Record:
         return "\n".join(f"{name}: {value!r}" for name, value in _lines(self._data))
 
 
+class _NoContact(Record):
+    """The contact of a case without obstacle: false, and its numbers are errors with words."""
+
+    def __init__(self) -> None:
+        super().__init__({}, "contact")
+
+    def __bool__(self) -> bool:
+        return False
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        raise AttributeError(f"contact has no {name}: the case has no obstacle")
+
+
 class Records:
     """Parts of one kind. An index is a number, or the name of a part."""
 
@@ -421,6 +436,8 @@ def _joined(path: str, name: str) -> str:
 
 
 def _wrapped(value: Any, path: str, units: dict[str, str]) -> Any:
+    if value is None and path == "contact":
+        return _NoContact()
     if isinstance(value, dict):
         return Record(value, path, units)
     if isinstance(value, list):

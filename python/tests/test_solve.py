@@ -56,6 +56,13 @@ class TestNumbers:
         with pytest.raises(KeyError, match="there is no energie"):
             result["energie"]
 
+    def test_a_case_without_obstacle_has_no_contact(self):
+        result = quiet(plastron.Case.from_text(STRIP.split("[[obstacle]]")[0]).solve)
+        assert not result.contact
+        with pytest.raises(AttributeError, match="contact has no area: the case has no obstacle"):
+            result.contact.area
+        assert result.to_dict()["contact"] is None
+
     def test_every_number_has_its_unit(self, result):
         assert result.unit_of("energy") == "J"
         assert result.unit_of("contact.area") == "m^2"

@@ -51,7 +51,7 @@ const std::vector<Limit>& limits() {
        {"dynamics", "frequencies", "damping"},
        "There is no motion in time: loads and obstacles are slow.",
        "`plastron modes` computes natural frequencies, with contact held",
-       "a program for dynamics"},
+       "`vibration` in `[modes]` for natural frequencies, or a program for dynamics"},
       {"follower-loads",
        {"follower"},
        "With small rotations a pressure acts along the normal and on the area of the undeformed shell. Forces and "
@@ -64,7 +64,8 @@ const std::vector<Limit>& limits() {
        "not shown",
        "a general program"},
       {"springs",
-       {"spring", "foundation", "foundations", "elastic-foundation", "bed", "bedding", "winkler"},
+       {"spring", "foundation", "foundations", "elastic-foundation", "bed", "bedding", "winkler", "support.stiffness",
+        "obstacle.stiffness"},
        "Supports prescribe displacements, and obstacles are rigid: no springs and no elastic foundation.",
        "not shown",
        "rigid supports, or a general program"},
