@@ -193,6 +193,17 @@ TEST(LinearModel, of_a_rigid_rotation_is_left_and_at_rest_it_is_not) {
   EXPECT_THAT(r.warnings, Contains(HasSubstr("linear model is left")));
 }
 
+TEST(Loads, that_are_zero_at_all_points_of_the_mesh_are_named) {
+  for (const double end : {2.0, 0.5}) {
+    problem::Problem p = free_plate();
+    p.shell.supports = {clamped("left")};
+    p.shell.loads.on_areas = {force(0, 0, 0)};
+    EXPECT_THAT(solve(p, MPI_COMM_SELF).warnings, IsEmpty());
+    p.shell.loads.on_areas[0].force[2] = Expression("x > end ? -1e-3 : 0", {{"end", end}});
+    EXPECT_EQ(testing::Value(solve(p, MPI_COMM_SELF).warnings, Contains(HasSubstr("the shell has no load"))), end > 1);
+  }
+}
+
 /// A strip in plane strain between hinges, pushed by `force` [N/m].
 problem::Problem pushed_strip(double force) {
   problem::Problem p = pressed_strip();

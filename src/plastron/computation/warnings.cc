@@ -237,6 +237,23 @@ std::vector<std::string> stability_warnings(const Result& result) {
   return warnings;
 }
 
+std::vector<std::string> load_warnings(const problem::Problem& problem, const Result& result) {
+  const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
+  if (result.summary.load_norms != 0 || result.solution->discrete->state.load_factor == 0 ||
+      std::ranges::any_of(problem.rigid_bodies, is_loaded))
+    return {};
+  std::string name;
+  problem.shell.loads.for_each_expression(
+      [&](const geometry::Expression& f, const std::string& of, const assembly::LoadPlace&) {
+        if (name.empty() && !f.is_constant()) name = of;
+      });
+  if (name.empty()) return {};
+  return {
+      fmt::format("the shell has no load: {} and all other loads are 0 at all points of the mesh where forces are "
+                  "summed; correct the places in their expressions, or refine the mesh there",
+                  name)};
+}
+
 std::vector<std::string> strain_warnings(const Result& result) {
   const double strain = result.summary.max_strain;
   if (!(strain > largest_strain)) return {};

@@ -32,6 +32,8 @@ std::string percent(double part);
 /// cells.
 std::vector<std::string> mode_warnings(const Result& result);
 
+/// Warns of loads whose expressions are 0 at all points of the mesh.
+std::vector<std::string> load_warnings(const problem::Problem& problem, const Result& result);
 /// Warns of strains beyond the range of the linear material law; needs the stress peak.
 std::vector<std::string> strain_warnings(const Result& result);
 /// Warns of a share of transverse shear that no shell has.
