@@ -1,20 +1,14 @@
 // Reads [[obstacle]].
 #include <plastron/config/sections.hpp>
+#include <plastron/problem/edge_contact.hpp>
 
 namespace plastron::config {
-
-namespace {
-
-// An obstacle that both faces may touch is two obstacles.
-constexpr const char *of_lower_face = ", lower face", *of_upper_face = ", upper face";
-
-}  // namespace
 
 std::vector<std::size_t> obstacles_named(const problem::Problem& problem, const std::string& name) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
     const std::string& its = problem.shell.obstacles.all[k].name;
-    if (its == name || its == name + of_lower_face || its == name + of_upper_face) found.push_back(k);
+    if (its == name || its == name + problem::of_lower_face || its == name + problem::of_upper_face) found.push_back(k);
   }
   return found;
 }
@@ -42,14 +36,7 @@ std::string read_obstacle_name(Table& table, const problem::Problem& problem, st
 void add_faces(obstacle::Obstacle body, const std::string& face, problem::Problem& problem) {
   using obstacle::Face;
   if (face == "both") {
-    body.is_for_both = true;
-    obstacle::Obstacle other = body;
-    body.name += of_lower_face;
-    other.name += of_upper_face;
-    other.face = Face::upper;
-    body.face = Face::lower;
-    problem.shell.obstacles.all.push_back(std::move(body));
-    problem.shell.obstacles.all.push_back(std::move(other));
+    for (obstacle::Obstacle& one : problem::for_both_faces(body)) problem.shell.obstacles.all.push_back(std::move(one));
     return;
   }
   body.face = face == "lower" ? Face::lower : face == "upper" ? Face::upper : Face::nearer;
@@ -88,7 +75,8 @@ Section obstacle_section() {
                "does not move across the force or rotate. [0, 0, 0]: the obstacle is fixed"),
            key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
                "the face of the shell that may touch. lower: at -e/2 along a3; upper: at +e/2; auto: at each point the "
-               "face that looks at the obstacle; both: two obstacles, one for each face, with separate results")},
+               "face that looks at the obstacle; both: two obstacles, one for each face, with separate results. Where "
+               "the shell stands on an edge, auto is both, unless a force presses the obstacle")},
           {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
 }
 

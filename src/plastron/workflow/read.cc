@@ -11,6 +11,7 @@
 #include <plastron/io/mode_file.hpp>
 #include <plastron/mesh/surface_patches.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/problem/edge_contact.hpp>
 
 #include <fmt/format.h>
 
@@ -119,9 +120,11 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
   });
   try {
     problem::locate_points(c.problem);
-  } catch (const mesh::DomainError&) {  // the examination and the solution report what is wrong with the mesh
+    if (geometry::has_given_functions()) show_shell(c);
+    problem::let_both_faces_touch(c.problem);
+  } catch (const mesh::DomainError&) {        // the examination and the solution report what is wrong with the mesh
+  } catch (const geometry::FunctionError&) {  // and with functions
   }
-  if (geometry::has_given_functions()) show_shell(c);
   return c;
 }
 
