@@ -13,6 +13,9 @@ constexpr int most_newton_steps = 60;
 /// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
 constexpr double negligible_step = 1e-9, tiny_step = 1e-8, small_step = 1e-5;
 
+/// Number of steps that may be lengthened.
+constexpr int most_lengthenings = 4;
+
 /// Largest size of a step, and least ratio to the step before it, after which the exact derivative of the residual is tried.
 constexpr double near_end = 0.1, slow = 0.05;
 /// Part of a shift with which the next step begins if the shift shortens the steps, and the least such shift without contact: a
@@ -46,6 +49,33 @@ bool is_at_rest(const assembly::DiscreteShell& discrete, const finite::NewtonSte
          discrete.energies(discrete.state.displacement).total() < algebra::sum_over_ranks(energy, comm);
 }
 
+/// Product of the rotations of two motions (collective).
+double product_of_rotations(const algebra::Vector& a, const algebra::Vector& b) {
+  double product = 0;
+  for (std::size_t i = 0; i < a.owned().size(); ++i)
+    if (i % 6 > 2) product += a.owned()[i] * b.owned()[i];
+  return algebra::sum_over_ranks(product, a.layout()->comm);
+}
+
+/// Lengthens a small step that repeats the one before it, times a factor q. The stiffness of the steps is not exactly the derivative
+/// of the residual, and where q > 1 they lead away from the equilibrium. The sum of all such steps, 1 / (1 - q), leads to it (Aitken).
+/// Returns whether the step has changed (collective).
+bool lengthened(const algebra::Vector& last, finite::NewtonStep& step) {
+  constexpr double least_factor = 0.5, parallel = 0.99, least_difference = 0.1;
+  if (step.shift > 0 || !(step.largest_rotation < small_step)) return false;
+  const double own = product_of_rotations(last, last), both = product_of_rotations(last, step.increment),
+               now = product_of_rotations(step.increment, step.increment);
+  const double q = both / own;
+  if (!(std::abs(both) > parallel * std::sqrt(own * now)) || !(std::abs(q) > least_factor) ||
+      !(std::abs(1 - q) > least_difference))
+    return false;
+  const double sum = 1 / (1 - q);
+  for (double& value : step.increment.local()) value *= sum;
+  for (double& position : step.box.positions) position *= sum;
+  step.load_change *= sum;
+  return true;
+}
+
 /// Solves with finite rotations, by Newton steps from the state of the shell with the stresses and the zone of `start`.
 Found newton_solution(LevelRun& run, finite::StepStart start) {
   assembly::DiscreteShell& discrete = run.discrete();
@@ -54,6 +84,8 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
   finite::NewtonStep step;
   double before = std::numeric_limits<double>::infinity(), predicted = 0;
   bool lost_stiffness = false;
+  algebra::Vector last;
+  int lengthenings = 0;
   for (int steps = 0; steps < most_newton_steps; ++steps) {
     step = run.newton_step(start);
     run.is_control_blind = step.is_control_blind;
@@ -61,6 +93,8 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     if (steps == 0) predicted = step.largest_displacement;
     if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
     if (step.status() != contact::Status::solved) break;
+    const bool is_lengthened = steps > 0 && lengthenings < most_lengthenings && lengthened(last, step);
+    lengthenings += is_lengthened ? 1 : 0;
     linearise(discrete, finite::next_state(discrete, start, step));
     const double displacement = solution::largest_displacement(discrete.state.displacement);
     start = std::move(step.next);
@@ -73,8 +107,9 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
       start.next_shift = size < before ? smaller : step.shift;
     }
     // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
-    const bool is_rounding = size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
+    const bool is_rounding = !is_lengthened && size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
     before = size;
+    last = std::move(step.increment);
     if (size <= negligible_step || (step.shift == 0 && (is_rounding || is_at_rest(discrete, step)))) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
