@@ -1,6 +1,7 @@
 // Warnings of a result: contact missed between nodes, the linear model exceeded, reactions on edges, units.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <plastron/computation/contradiction.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/warnings.hpp>
 
@@ -234,6 +235,19 @@ TEST(Buckling, is_seen_at_the_force_of_the_pinned_strip) {
     EXPECT_THAT(r.warnings, part > 0.5 ? testing::Matcher<std::vector<std::string>>(Contains(HasSubstr("buckles")))
                                        : testing::Matcher<std::vector<std::string>>(IsEmpty()));
   }
+}
+
+TEST(TheMotionOfLeastStiffness, of_a_pushed_strip_is_its_deflection_in_the_middle) {
+  const double critical = 9.643002915344 * 1e-3 / (12 * (1 - 0.09));
+  problem::Problem p = pushed_strip(0.5 * critical);
+  p.shell.rotations = element::Rotations::finite;
+  Result r = solve(p, MPI_COMM_SELF);
+  const std::string text = softest_motion_text(*r.solution->discrete, r.solution->nodal);
+  EXPECT_THAT(text, HasSubstr("most at x = 0.5, y = "));
+  EXPECT_THAT(text, HasSubstr("1.00): it has 0.5 of"));
+  r.status = Status::no_equilibrium;
+  r.missed_limits = text;
+  EXPECT_THAT(status_text(r), HasSubstr(text));
 }
 
 TEST(Strain, beyond_what_a_linear_law_knows_is_told_with_its_stress) {

@@ -1,6 +1,7 @@
 #include <plastron/computation/contradiction.hpp>
 
 #include <plastron/fem/surface.hpp>
+#include <plastron/finite/modes.hpp>
 
 #include <fmt/format.h>
 
@@ -37,6 +38,11 @@ Missing missing_at(const assembly::DiscreteShell& discrete, std::size_t node) {
   return most;
 }
 
+std::string text_of_place(const assembly::DiscreteShell& discrete, const Eigen::Vector2d& x) {
+  const fem::Surface& surface = discrete.shell.surface();
+  return surface.has_directors() ? fem::place_text(surface, x) : fmt::format("x = {:.4g}, y = {:.4g}", x[0], x[1]);
+}
+
 }  // namespace
 
 std::string contradiction_text(const assembly::DiscreteShell& discrete) {
@@ -49,13 +55,36 @@ std::string contradiction_text(const assembly::DiscreteShell& discrete) {
     keep_larger(most, {all[at], all[at + 1], all[at + 2], all[at + 3], all[at + 4]});
   if (most[0] == 0) return {};
   const auto name = [&](double k) { return discrete.obstacles_at_start.all[static_cast<std::size_t>(k)].text(); };
-  const fem::Surface& surface = discrete.shell.surface();
-  const std::string place = surface.has_directors() ? fem::place_text(surface, {most[3], most[4]})
-                                                    : fmt::format("x = {:.4g}, y = {:.4g}", most[3], most[4]);
+  const std::string place = text_of_place(discrete, {most[3], most[4]});
   return most[2] < 0
              ? fmt::format("A support holds the shell {:.2g} m deep inside of {} at {}", most[0], name(most[1]), place)
              : fmt::format("{:.2g} m are missing between {} and {} at {}", most[0], name(most[1]), name(most[2]),
                            place);
+}
+
+std::string softest_motion_text(const assembly::DiscreteShell& discrete, const solution::NodalSolution& nodal) {
+  const finite::ExaminedStability found = finite::examine_stability(discrete, nodal);
+  if (!found.motion.layout()) return {};
+  using Moved = std::array<double, 6>;  // length, place in Omega, displacement
+  Moved most{};
+  const auto keep_farther = [&](const Moved& other) {
+    if (other[0] > most[0]) most = other;
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
+    const Eigen::Vector3d v = assembly::node_values(found.motion, i).head<3>();
+    const Eigen::Vector2d& x = discrete.points[i].x;
+    keep_farther({v.norm(), x[0], x[1], v[0], v[1], v[2]});
+  }
+  const std::vector<double> all =
+      algebra::gather_over_ranks(std::vector<double>(most.begin(), most.end()), discrete.space().layout->comm);
+  for (std::size_t at = 0; at < all.size(); at += most.size())
+    keep_farther({all[at], all[at + 1], all[at + 2], all[at + 3], all[at + 4], all[at + 5]});
+  if (most[0] == 0) return {};
+  return fmt::format(
+      "The motion of least stiffness moves the shell most at {}, along ({:.2f}, {:.2f}, {:.2f}): it has {:.2g} of the "
+      "stiffness without stresses",
+      text_of_place(discrete, {most[1], most[2]}), most[3] / most[0], most[4] / most[0], most[5] / most[0],
+      found.stability.margin);
 }
 
 }  // namespace plastron::computation

@@ -296,6 +296,8 @@ Result Run::finish() {
     warn(strain_warnings(result));
     warn(shear_warnings(result));
     if (result.status == contact::Status::infeasible) result.missed_limits = contradiction_text(*solution().discrete);
+    if (result.status == contact::Status::no_equilibrium)
+      result.missed_limits = softest_motion_text(*solution().discrete, solution().nodal);
   }
   adopt_worst_status();
   result.peak_memory = peak_memory(comm);

@@ -97,9 +97,9 @@ std::string_view explain(Status status) {
       return "The gaps of curved obstacles, linearised where the shell was found, did not come to rest; use a smaller "
              "load or a finer mesh, or write linearised = true for the gaps of the undeformed shell.";
     case Status::no_equilibrium:
-      return "With finite rotations no equilibrium was found near the state from which the steps started: loads or "
-             "obstacles move the structure too far at once, also in small parts, or it can carry no more; use smaller "
-             "loads, follow a displacement by `control`, or let obstacles press in place of loads.";
+      return "With finite rotations no equilibrium was found near the state from which the steps started: loads, "
+             "supports or obstacles move the structure too far at once, also in small parts, or it can carry no more; "
+             "use smaller loads, follow a displacement by `control`, or let obstacles press in place of loads.";
     case Status::unstable:
       return "An equilibrium was found, but it is not stable: some motion lowers the energy, and the structure would "
              "snap away from it; use a smaller load, or let obstacles press it instead of loads.";
