@@ -46,8 +46,8 @@ void check_row(const fem::PlacedBody& placed, const fem::BodyNode& member, const
   if (!(std::abs(known - value) <= rounding_part * most))
     throw SupportError(
         fmt::format("a support contradicts the rigid body \"{}\" at x = {:g}, y = {:g}: a component that the body "
-                    "prescribes as {:g} is to be {:g}",
-                    placed.body.name, point.x[0], point.x[1], known, value));
+                    "prescribes as {:g} is to be {:g}, which differs by {:.2g}",
+                    placed.body.name, point.x[0], point.x[1], known, value, std::abs(known - value)));
 }
 
 void check_supports(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,

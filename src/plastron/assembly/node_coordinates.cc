@@ -58,8 +58,8 @@ Split split(const std::vector<std::pair<Vector3d, double>>& rows, const std::vec
     } else if (!(std::abs(value - known) <= (precision + d.norm()) * scales.value + scales.rounding)) {
       throw SupportError(
           fmt::format("supports contradict each other at x = {:g}, y = {:g}: a component that is already "
-                      "prescribed as {:g} is to be {:g}",
-                      x[0], x[1], known, value));
+                      "prescribed as {:g} is to be {:g}, which differs by {:.2g}",
+                      x[0], x[1], known, value, std::abs(value - known)));
     }
   }
   if (basis.empty()) {
