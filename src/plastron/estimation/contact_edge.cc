@@ -47,6 +47,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   width_.emplace(discrete, solution::contact_faces(discrete, solved.nodal).touching);
   if (solution::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
+  find_held();
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
     for (std::size_t k = 0; k < obstacles; ++k) {
@@ -64,9 +65,49 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       crossed_.push_back(cell);
       touching_nodes_.push_back(touching);
       across_.push_back(width_->direction_across(cell, k));
+      at_support_.push_back(place_at_support(cell, k, across_.back()));
       break;
     }
   find_deepest();
+}
+
+void ContactEdge::find_held() {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const std::size_t obstacles = discrete.obstacles.all.size();
+  held_ = algebra::Vector(discrete.space().layout, static_cast<int>(obstacles));
+  for (const assembly::ContactRow& row : discrete.coordinates.rows)
+    if (!row.is_touchable() && !row.is_left_out && discrete.points[row.node].weight > 0)
+      held_.owned()[row.node * obstacles + static_cast<std::size_t>(row.obstacle)] = 1;
+  held_.update_ghosts();
+}
+
+bool ContactEdge::is_held(std::size_t node, std::size_t obstacle) const {
+  return held_.local()[node * solved_.discrete.obstacles.all.size() + obstacle] > 0;
+}
+
+bool ContactEdge::reaches_support(std::size_t cell, std::size_t obstacle) const {
+  return std::ranges::all_of(solved_.discrete.space().nodes(cell), [&](algebra::LocalIndex node) {
+    return touches(static_cast<std::size_t>(node), obstacle) || is_held(static_cast<std::size_t>(node), obstacle);
+  });
+}
+
+std::optional<double> ContactEdge::place_at_support(std::size_t cell, std::size_t obstacle, int across) const {
+  const fem::Space& space = solved_.discrete.space();
+  if (space.shape() != mesh::Shape::quadrilateral || !reaches_support(cell, obstacle)) return {};
+  const auto nodes = space.nodes(cell);
+  const std::vector<double> line = mesh::gauss_lobatto(space.degree + 1).points;
+  const std::size_t n = line.size();
+  double sum = 0, count = 0;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      const auto at = [&](std::size_t along) {
+        return static_cast<std::size_t>(nodes[across == 0 ? j * n + along : along * n + j]);
+      };
+      if (touches(at(i), obstacle) == touches(at(i + 1), obstacle)) continue;
+      sum += (line[i] + line[i + 1]) / 2;
+      count += 1;
+    }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
 std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell, std::size_t obstacle,
@@ -193,6 +234,21 @@ std::vector<double> ContactEdge::densities(const algebra::Vector& multiplier) co
   return {all.local().begin(), all.local().end()};
 }
 
+// The multiplier of a held node belongs to its support, but next to it the obstacle may press with its whole pressure.
+void ContactEdge::extend_to_held_nodes(std::size_t cell, std::size_t obstacle, Eigen::MatrixXd& densities) const {
+  if (!reaches_support(cell, obstacle)) return;
+  const auto nodes = solved_.discrete.space().nodes(cell);
+  double sum = 0, touching = 0;
+  for (Eigen::Index i = 0; i < densities.rows(); ++i)
+    if (touches(static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)]), obstacle)) {
+      sum += densities(i, 1);
+      touching += 1;
+    }
+  for (Eigen::Index i = 0; i < densities.rows() && touching > 0; ++i)
+    if (is_held(static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)]), obstacle))
+      densities(i, 1) = sum / touching;
+}
+
 double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivative& derivative,
                           const element::CellField& z, const Reactions& reactions) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
@@ -206,6 +262,7 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
     const std::size_t node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]) * obstacles;
     densities.row(i) << reactions.mu[node + obstacle], reactions.eta[node + obstacle];
   }
+  extend_to_held_nodes(cell, obstacle, densities);
   const Eigen::MatrixXd density = reaction_basis_ * densities;
   std::vector<geometry::Frame> frames(at.xi.size());
   shell.surface().frames(space.cells[cell], at.xi, frames, false);

@@ -39,6 +39,9 @@ class ContactEdge {
   /// The direction, 0 or 1, of each crossed cell along which more pairs of neighbouring nodes differ in touching: the
   /// edge runs across it. 0 in triangles.
   const std::vector<int>& across() const { return across_; }
+  /// For each crossed cell whose free nodes all touch: the mean place in [0, 1] along its direction across() between
+  /// touching nodes and nodes that supports hold.
+  const std::vector<std::optional<double>>& at_support() const { return at_support_; }
   /// Returns the shares for the dual z. `y` are its Cartesian values (collective).
   EdgeShares shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const;
 
@@ -57,12 +60,18 @@ class ContactEdge {
     bool on_line = true;  ///< true in a zone without area
   };
   void find_deepest();
+  void find_held();
+  bool is_held(std::size_t node, std::size_t obstacle) const;
+  /// Whether all nodes of a cell touch or are held.
+  bool reaches_support(std::size_t cell, std::size_t obstacle) const;
+  std::optional<double> place_at_support(std::size_t cell, std::size_t obstacle, int across) const;
   /// The shell's gaps at points of a cell, with their rows.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
                                                      const element::BasisAt& at) const;
   std::vector<double> line_shares(const Derivative& derivative, const algebra::Vector& y,
                                   const Reactions& reactions) const;
   std::vector<double> densities(const algebra::Vector& multiplier) const;
+  void extend_to_held_nodes(std::size_t cell, std::size_t obstacle, Eigen::MatrixXd& densities) const;
   double share(std::size_t cell, std::size_t obstacle, const Derivative& derivative, const element::CellField& z,
                const Reactions& reactions) const;
   bool touches(std::size_t node, std::size_t obstacle) const { return width_->touches(node, obstacle); }
@@ -77,6 +86,8 @@ class ContactEdge {
   std::optional<solution::ContactWidth> width_{};  ///< empty without obstacles
   std::vector<std::size_t> crossed_{}, touching_nodes_{};
   std::vector<int> across_{};
+  std::vector<std::optional<double>> at_support_{};
+  algebra::Vector held_{};  ///< 1 where supports leave the gap no freedom (block: obstacles)
   /// 1 for local nodes on the rim; empty without a line reaction.
   std::vector<char> on_rim_{};
   std::vector<std::pair<std::size_t, int>> rim_sides_{};  ///< sides of owned cells on the rim; likewise

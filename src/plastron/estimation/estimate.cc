@@ -2,6 +2,7 @@
 
 #include <plastron/estimation/contact_edge.hpp>
 #include <plastron/estimation/strain_errors.hpp>
+#include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ class GoalEstimator {
         primal_(primal),
         strain_errors_(strain_errors),
         edge_(edge),
+        has_strain_errors_(edge.crossed().size(), 0),
         duals_(solved.box, solved.z, preconditioner) {}
 
   GoalEstimate operator()(const Goal& goal) {
@@ -94,6 +96,9 @@ class GoalEstimator {
     return result;
   }
 
+  /// Whether the strains in a crossed cell contribute more to some goal than the zone's edge does.
+  bool has_strain_errors(std::size_t crossed) const { return has_strain_errors_[crossed] != 0; }
+
  private:
   /// Adds the dual estimate. Returns the shares of the contact zone's edge.
   EdgeShares add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
@@ -107,13 +112,14 @@ class GoalEstimator {
   }
 
   /// Adds up the shares of all cells. In cells crossed by the edge of a contact zone the sign of a share is unknown.
-  void sum_up(const EdgeShares& at_edge, GoalEstimate& result) const {
+  void sum_up(const EdgeShares& at_edge, GoalEstimate& result) {
     const fem::Space& space = solved_.discrete.space();
     std::vector<double> smooth = result.cells, edge(static_cast<std::size_t>(space.nodes_per_cell()) + 1, 0),
                         lines = edge;
     for (std::size_t i = 0; i < at_edge.all.size(); ++i) {
       const std::size_t cell = edge_.crossed()[i];
       smooth[cell] = 0;
+      if (std::abs(result.cells[cell]) > at_edge.all[i]) has_strain_errors_[i] = 1;
       result.cells[cell] = std::max(std::abs(result.cells[cell]), at_edge.all[i]);
       edge[edge_.touching_nodes()[i]] += result.cells[cell];
       lines[edge_.touching_nodes()[i]] += at_edge.lines[i];
@@ -127,12 +133,25 @@ class GoalEstimator {
   const AllErrors& primal_;
   const StrainRecovery& strain_errors_;
   const ContactEdge& edge_;
+  std::vector<char> has_strain_errors_;
   DualSolver duals_;
 };
 
+/// Returns the profile of an error at a place along a direction.
+ErrorProfile profile_at(double place, std::size_t direction, int degree) {
+  const std::vector<double> widths = mesh::gauss(degree + 1).weights;
+  const std::vector<double> none(widths.size(), 0);
+  ErrorProfile profile{none, none};
+  std::size_t slice = 0;
+  for (double end = widths[0]; end < place && slice + 1 < widths.size(); end += widths[slice]) ++slice;
+  profile[direction][slice] = 1;
+  return profile;
+}
+
 std::vector<CrossedCell> crossed_cells(const ContactEdge& edge) {
   std::vector<CrossedCell> cells;
-  for (std::size_t i = 0; i < edge.crossed().size(); ++i) cells.push_back({edge.crossed()[i], edge.across()[i]});
+  for (std::size_t i = 0; i < edge.crossed().size(); ++i)
+    cells.push_back({edge.crossed()[i], edge.across()[i], edge.at_support()[i]});
   return cells;
 }
 
@@ -155,6 +174,12 @@ Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner
       algebra::sum_over_ranks(static_cast<std::int64_t>(estimates.unjudged.size()), shell.space().layout->comm);
   GoalEstimator estimator(solved, preconditioner, primal, strain_errors, edge);
   for (const Goal& goal : goals) estimates.goals.push_back(estimator(goal));
+  for (std::size_t i = 0; i < estimates.crossed.size() && !estimates.profiles.empty(); ++i) {
+    const CrossedCell& crossed = estimates.crossed[i];
+    if (crossed.at_support && !estimator.has_strain_errors(i))
+      estimates.profiles[crossed.cell] =
+          profile_at(*crossed.at_support, static_cast<std::size_t>(crossed.across), shell.space().degree);
+  }
   return estimates;
 }
 

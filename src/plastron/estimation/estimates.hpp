@@ -51,6 +51,9 @@ using ErrorProfile = std::array<std::vector<double>, 2>;
 struct CrossedCell {
   std::size_t cell = 0;
   int across = 0;  ///< direction of the cell that leads from the zone to free nodes
+  /// Where the zone reaches nodes that supports hold: the mean place in [0, 1] along `across` between touching nodes and
+  /// these. No field shows this edge.
+  std::optional<double> at_support{};
 };
 
 /// Distance of a mesh in space from the part that it describes, estimated (topology/surface_comparison.hpp).
