@@ -11,6 +11,8 @@
 #include <plastron/meshing/sequence.hpp>
 #include <plastron/problem/goal_names.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -252,6 +254,52 @@ TEST(Accuracy, AsksForNoEdgesOfZonesThatAreLines) {
   p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-2}, {"reaction", 1e-2}}, .max_unknowns = 30000};
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+}
+
+/// A plate at rest on a table, clamped all round: it has no energy, and its supports carry nothing. On a mesh the reactions at
+/// their nodes are theirs, which no strain shows.
+TEST(Accuracy, OfAPlateThatRestsOnATableBetweenItsSupportsIsReachedInTruth) {
+  for (const bool is_disk : {false, true})
+    for (const double L : {1.0, 1e-6, 1e6}) {
+      SCOPED_TRACE(fmt::format("{} {}", is_disk ? "disk" : "square", L));
+      problem::Problem p = free_plate();
+      p.domain = is_disk ? domain::Domain(domain::Disk{.radius = L / 2})
+                         : domain::Domain(domain::Rectangle{.to = {L, L}, .cells = {2, 2}});
+      p.shell.sections.common.thickness = Expression(0.01 * L);
+      p.shell.supports.clear();
+      for (const std::string& boundary : domain::boundary_names(p.domain))
+        p.shell.supports.push_back(clamped(boundary));
+      p.shell.loads.on_areas = {force(0, 0, -1e-3)};
+      p.shell.obstacles.all = {{.shape = obstacle::HalfSpace{.point = {0, 0, -0.005 * L}}}};
+      p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
+      const double tolerance = is_disk ? 1e-2 : 1e-3;  // no rows are cut along a curved edge
+      p.accuracy = problem::Accuracy{.goals = {{"energy", tolerance}, {"reaction", tolerance}}, .max_unknowns = 2e4};
+      const Result result = solve(p, MPI_COMM_WORLD);
+      EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+      const double load = result.summary.loads.force.norm();
+      for (const estimation::GoalEstimate& goal : result.estimates->goals) {
+        const double error = goal.name == "energy" ? goal.value : std::abs(load - goal.value);
+        EXPECT_LE(error, 1.1 * goal.error()) << goal.name;
+        EXPECT_LT(error, tolerance * load) << goal.name;
+      }
+    }
+}
+
+/// The distance to an obstacle that is much larger than the shell has few digits, and nothing else moves.
+TEST(Accuracy, OfAPanelThatRestsOnAMuchLargerCylinderIsReached) {
+  problem::Problem p = with_chart(free_plate(), {"x", "y", "sqrt(1e4 - (x - 0.25)^2) - 100"});
+  p.domain = domain::Rectangle{.to = {0.5, 0.5}, .cells = {2, 2}};
+  p.shell.sections.common.thickness = Expression(0.005);
+  p.shell.sections.common.material = shell::Material::from_young_poisson(70e9, 0.3, 1);
+  for (const char* boundary : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(clamped(boundary));
+  p.shell.loads.on_areas = {force(0, 0, -2e4)};
+  p.shell.obstacles.all = {
+      {.shape = obstacle::Cylinder{.point = {0.25, 0, -100}, .axis = {0, 1, 0}, .radius = 99.9975}}};
+  p.discretisation = {.degree = 4, .layers = problem::Layers::automatic, .refinements = 0};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-2}, {"reaction", 1e-2}}, .max_unknowns = 2e4};
+  const Result result = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(result.status, contact::Status::solved) << status_text(result);
+  EXPECT_NEAR(value_of(result, "reaction"), 5000, 50);
 }
 
 /// A mesh that takes longer than expected is stopped, and the previous mesh is the result.
@@ -603,6 +651,25 @@ TEST(ChordCuts, AreWorthLessThanOneCellWhereOneHasItAll) {
     EXPECT_TRUE(of_cell[0].empty());
     EXPECT_EQ(of_cell[1].size(), 1U);
   }
+}
+
+/// An obstacle that enters a cell halves its row where that adds fewer cells than its division.
+TEST(CutsThrough, HalveTheRowOfACellWhereThatAddsFewCells) {
+  fem::MeshSequence meshes = meshing::mesh_sequence(pressed_strip(), MPI_COMM_SELF);
+  const fem::Space& space = *meshes.space();
+  const fem::Surface surface(space.coarse, pressed_strip().charts);
+  ASSERT_EQ(space.owned_cells, 8U);
+  const std::vector<std::size_t> some{3, 4};
+  const auto cuts = meshing::cuts_through(space, surface, some);
+  ASSERT_EQ(cuts.size(), space.owned_cells);
+  for (std::size_t c = 0; c < cuts.size(); ++c) {
+    EXPECT_EQ(cuts[c][0].size(), c == 3 || c == 4 ? 1U : 0U) << c;
+    EXPECT_TRUE(cuts[c][1].empty()) << c;
+  }
+  problem::Problem wide = pressed_strip();
+  wide.domain = domain::Rectangle{.to = {1, 1}, .cells = {8, 8}};
+  fem::MeshSequence square = meshing::mesh_sequence(wide, MPI_COMM_SELF);
+  EXPECT_TRUE(meshing::cuts_through(*square.space(), fem::Surface(square.space()->coarse, wide.charts), some).empty());
 }
 
 /// For a disk of five cells, whose outer ones have bent sides at the rim: the result of cutting along the rim again and again.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace plastron::computation {
 
@@ -22,6 +23,20 @@ using meshing::constants;
 /// Ratio of the witness's unknowns to the unknowns of a space.
 double growth_to_witness(const problem::Problem& problem, const fem::Space& space) {
   return std::pow(1 + static_cast<double>(degrees_of_witness(problem)) / space.degree, 2);
+}
+
+/// Returns the owned cells with a node that touches an obstacle, ascending.
+std::vector<std::size_t> touching_cells(const Solution& solution) {
+  const fem::Space& space = solution.discrete->space();
+  const auto block = static_cast<std::size_t>(solution.nodal.touching.block());
+  const auto touches = [&](algebra::LocalIndex node) {
+    const auto of_node = solution.nodal.touching.local().subspan(static_cast<std::size_t>(node) * block, block);
+    return std::ranges::any_of(of_node, [](double touching) { return touching > 0.5; });
+  };
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
+    if (std::ranges::any_of(space.nodes(cell), touches)) cells.push_back(cell);
+  return cells;
 }
 
 }  // namespace
@@ -58,6 +73,8 @@ bool AccuracyLoop::wants_more(const Result& result, const Level& level, const fe
   if (estimates)
     std::ranges::transform(goals_, std::back_inserter(values_.emplace_back()), &estimation::GoalRecord::value);
   take_note(level, space);
+  // Errors of a state that lacks the contact are no measure for those of later meshes.
+  if (!estimates || !missed_contact.empty()) excesses_.back() = std::numeric_limits<double>::infinity();
   const bool has_witness =
       estimates && std::ranges::all_of(estimates->goals, [](const auto& g) { return g.at_higher_degree.has_value(); });
   wants_edges_ = missed_.empty() && !edges_are_known(estimates);
@@ -109,7 +126,7 @@ void AccuracyLoop::give_up(const std::string& why) {
 
 std::string AccuracyLoop::stalled() const {
   constexpr std::size_t meshes = constants.stalled_meshes;
-  if (excesses_.size() <= meshes || worst_excess() <= 1) return "";
+  if (excesses_.size() <= meshes || excesses_.back() <= 1) return "";
   const auto last = excesses_.end() - meshes;
   const double before = *std::min_element(excesses_.begin(), last), now = *std::min_element(last, excesses_.end());
   const std::int64_t from = *(unknowns_.end() - meshes - 1), to = unknowns_.back();
@@ -155,8 +172,11 @@ std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) c
 // Cells with nodes inside are not counted: these nodes are fixed there, and smaller cells do not help.
 std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space& space) {
   entered_.clear();
+  const bool has_passed = result.passing && result.passing->cells > 0;
+  lacks_contact_ = has_passed || result.status == contact::Status::gap_not_met;
   if (!result.solution || problem_.shell.obstacles.are_linear) return {};
   const Solution& solution = *result.solution;
+  if (result.status == contact::Status::gap_not_met) entered_ = touching_cells(solution);
   for (const certificate::CellGap& cell : solution.entered) {
     const double allowed = certificate::least_gap_allowed(result.summary, result.summary.obstacles[cell.obstacle]);
     const auto is_outside = [&](algebra::LocalIndex node) {
@@ -164,10 +184,9 @@ std::string AccuracyLoop::missed_contact(const Result& result, const fem::Space&
     };
     if (cell.gap < allowed && std::ranges::all_of(space.nodes(cell.cell), is_outside)) entered_.push_back(cell.cell);
   }
-  if (result.passing && result.passing->cells > 0)
-    entered_.insert(entered_.end(), solution.crossed.begin(), solution.crossed.end());
+  if (has_passed) entered_.insert(entered_.end(), solution.crossed.begin(), solution.crossed.end());
   if (algebra::sum_over_ranks(static_cast<std::int64_t>(entered_.size()), space.layout->comm) == 0) return {};
-  if (result.passing && result.passing->cells > 0)
+  if (has_passed)
     return fmt::format("{} may have passed through the shell on the path from the start", result.passing->place);
   const auto limits = certificate::certificate_limits({.summary = result.summary, .certificate = result.certificate},
                                                       result.formulation);
@@ -202,11 +221,12 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
   next_ = meshing::next_mesh(problem_, space,
                              {.goals = goals_,
                               .estimates = estimates,
-                              .excess = excess,
+                              .excess = is_slow() ? std::numeric_limits<double>::infinity() : excess,
                               .follows_errors = follows_errors,
                               .may_join = may_join_,
                               .wants_edges = wants_edges_,
-                              .entered = entered_});
+                              .entered = entered_,
+                              .lacks_contact = lacks_contact_});
   return next_.added_cells;
 }
 
@@ -232,6 +252,10 @@ double AccuracyLoop::worst_excess() const {
   double worst = 0;
   for (const estimation::GoalRecord& goal : goals_) worst = std::max(worst, goal.excess());
   return worst;
+}
+
+bool AccuracyLoop::is_slow() const {
+  return excesses_.size() > 2 && excesses_.back() > constants.slow_fall * *(excesses_.end() - 3);
 }
 
 std::string AccuracyLoop::obstacle(const Level& level, double growth, MPI_Comm comm) const {

@@ -65,6 +65,8 @@ class AccuracyLoop {
   bool is_settled(const std::vector<estimation::GoalRecord>& before) const;
   /// Excess of the goal that is furthest from being met.
   double worst_excess() const;
+  /// Whether the excess is nearly as large as it was two meshes before.
+  bool is_slow() const;
   /// Changes of a goal from mesh to mesh, the last one first, at most `count`.
   std::vector<double> changes(std::size_t goal, std::size_t count) const;
   /// Whether the next mesh is small enough to be solved for the edges of contact zones alone.
@@ -101,6 +103,7 @@ class AccuracyLoop {
   std::vector<std::vector<double>> values_{};  ///< values of the goals on each mesh
   meshing::NextMesh next_{};
   std::vector<std::size_t> entered_{};  ///< cells in which the nodes have missed an obstacle
+  bool lacks_contact_ = false;          ///< the shell has passed an obstacle, or found no place beside it
   std::string missed_{};
 };
 

@@ -266,11 +266,76 @@ Chords chords(const mesh::CoarseMesh& mesh) {
   return result;
 }
 
+namespace {
+
+/// Whether chords can be cut: no cell is divided, and there are no folds, whose two sides would have to be cut alike.
+bool has_whole_chords(const fem::Space& space) {
+  return space.global_cells == static_cast<std::int64_t>(space.coarse->cells.size()) && space.coarse->folds.empty();
+}
+
+/// Marks the chords whose cells can all be halved: their parts are neither too small nor too bent.
+std::vector<char> halvable(const fem::Space& space, const CellShapes& shapes, const Chords& numbers) {
+  std::vector<char> marks(static_cast<std::size_t>(numbers.count), 1);
+  const std::vector<fem::CutCell> parts = fem::cut_cells(*space.coarse);
+  for (std::size_t c = 0; c < numbers.of_cell.size(); ++c) {
+    const bool may_bend =
+        space.degree <= constants.bent_degree || (shapes.is_straight(c, 0, 0, 1, constants.straight_bend) &&
+                                                  shapes.is_straight(c, 1, 0, 1, constants.straight_bend));
+    for (std::size_t d = 0; d < 2; ++d) {
+      const bool is_good = may_bend && parts[c].size[static_cast<Eigen::Index>(d)] / 2 >= constants.smallest_cell &&
+                           shapes.is_straight(c, d, 0, 0.5, constants.largest_bend) &&
+                           shapes.is_straight(c, d, 0.5, 1, constants.largest_bend);
+      if (!is_good) marks[static_cast<std::size_t>(numbers.of_cell[c][d])] = 0;
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
 std::vector<mesh::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task) {
-  const bool is_divided = space.global_cells > static_cast<std::int64_t>(space.coarse->cells.size());
-  // The two sides of a fold would have to be cut alike.
-  if (is_divided || !space.coarse->folds.empty()) return {};
-  return ChordChoice(space, surface, task)();
+  return has_whole_chords(space) ? ChordChoice(space, surface, task)() : std::vector<mesh::Cuts>{};
+}
+
+std::vector<mesh::Cuts> cuts_through(const fem::Space& space, const fem::Surface& surface,
+                                     std::span<const std::size_t> cells) {
+  if (!has_whole_chords(space)) return {};
+  const CellShapes shapes(surface);
+  const Chords numbers = chords(*space.coarse);
+  const auto count = static_cast<std::size_t>(numbers.count);
+  const auto number = [&](std::size_t coarse, std::size_t direction) {
+    return static_cast<std::size_t>(numbers.of_cell[coarse][direction]);
+  };
+  std::vector<double> lengths(count, 0), given(count + 1, 0);  // numbers of cells; the last one: of all given cells
+  for (const auto& of_cell : numbers.of_cell)
+    for (const int chord : of_cell) lengths[static_cast<std::size_t>(chord)] += 1;
+  const std::vector<char> can_be_cut = halvable(space, shapes, numbers);
+  for (const std::size_t cell : cells) {
+    const auto coarse = static_cast<std::size_t>(space.cells[cell].coarse);
+    for (std::size_t d = 0; d < 2; ++d) given[number(coarse, d)] += 1;
+    given.back() += 1;
+  }
+  given = algebra::sums_over_ranks(given, space.layout->comm);
+  // Each cell is cut along the chord that has more such cells; where both have as many, across its longer side.
+  std::vector<double> chosen(count + 1, 0);  // the last one: cells without a chord
+  for (const std::size_t cell : cells) {
+    const auto coarse = static_cast<std::size_t>(space.cells[cell].coarse);
+    const auto part = [&](std::size_t d) {
+      const std::size_t chord = number(coarse, d);
+      return can_be_cut[chord] != 0 ? given[chord] / lengths[chord] : 0;
+    };
+    const std::size_t d = part(0) == part(1) ? shapes.longer(coarse) : part(0) > part(1) ? 0 : 1;
+    chosen[part(d) > 0 ? number(coarse, d) : count] += 1;
+  }
+  chosen = algebra::sums_over_ranks(chosen, space.layout->comm);
+  double added = 0;
+  for (std::size_t i = 0; i < count; ++i) added += chosen[i] > 0 ? lengths[i] : 0;
+  if (chosen.back() > 0 || added > 3 * given.back()) return {};
+  std::vector<mesh::Cuts> cuts(numbers.of_cell.size());
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+    for (std::size_t d = 0; d < 2; ++d)
+      if (chosen[number(c, d)] > 0) cuts[c][d] = {0.5};
+  return cuts;
 }
 
 }  // namespace plastron::meshing

@@ -40,4 +40,9 @@ struct ChordTask {
 /// have more worth (collective).
 std::vector<mesh::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& surface, const ChordTask& task);
 
+/// Returns cuts that halve these owned cells along their chords, as chord_cuts() does. Empty where the division of the
+/// cells adds fewer cells (collective).
+std::vector<mesh::Cuts> cuts_through(const fem::Space& space, const fem::Surface& surface,
+                                     std::span<const std::size_t> cells);
+
 }  // namespace plastron::meshing

@@ -45,12 +45,13 @@ struct Constants {
   int bent_degree = 4;          ///< highest degree at which bent cells are cut, for the same reason
 
   // Marks of single cells (accuracy.md, "The loop").
-  double aim = 0.9;                ///< error to which a mesh is refined [allowed error]
-  double kept_error = 0.25;        ///< part of a divided cell's error that remains at the edge of a contact zone
-  double most_divided = 0.8;       ///< largest part of the errors in the cells that are divided at once
-  double threshold_step = 0.97;    ///< steps of the threshold above which cells are divided, for symmetry
-  double joined_error = 0.01;      ///< largest error of a joined cell [threshold above which cells are divided]
-  double rounding_error = 1e-6;    ///< error below which the largest cells are random [allowed error]
+  double aim = 0.9;              ///< error to which a mesh is refined [allowed error]
+  double kept_error = 0.25;      ///< part of a divided cell's error that remains at the edge of a contact zone
+  double most_divided = 0.8;     ///< largest part of the errors in the cells that are divided at once
+  double threshold_step = 0.97;  ///< steps of the threshold above which cells are divided, for symmetry
+  double joined_error = 0.01;    ///< largest error of a joined cell [threshold above which cells are divided]
+  double rounding_error = 1e-6;  ///< error below which the largest cells are random [allowed error]
+  double slow_fall = 0.9;  ///< as many cells as can be are divided if the error is larger [error two meshes before]
   double smallest_cell = 0x1p-24;  ///< side of the smallest cell [cell of the first mesh]; p4est ends at 2^-29
 
   // End of the loop (accuracy.md, "The loop" and "Edges of contact zones").

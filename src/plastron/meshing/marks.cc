@@ -102,6 +102,15 @@ std::vector<mesh::Cuts> cuts_by_errors(const problem::Problem& problem, const fe
                      .at_edges = task.wants_edges});
 }
 
+/// Returns cuts through the marked cells, if they are better than the division of these cells.
+std::vector<mesh::Cuts> cuts_of_marked(const problem::Problem& problem, const fem::Space& space,
+                                       const std::vector<signed char>& marks) {
+  std::vector<std::size_t> cells;
+  for (std::size_t c = 0; c < marks.size(); ++c)
+    if (marks[c] > 0) cells.push_back(c);
+  return cuts_through(space, fem::Surface(space.coarse, problem.charts), cells);
+}
+
 /// Number of cells of all ranks with this mark (collective).
 std::int64_t count_of(signed char mark, const NextMesh& next, const fem::Space& space) {
   return algebra::sum_over_ranks(std::int64_t{std::ranges::count(next.marks, mark)}, space.layout->comm);
@@ -120,9 +129,11 @@ NextMesh next_mesh(const problem::Problem& problem, const fem::Space& space, con
   if (!task.follows_errors || count_of(1, next, space) == 0) next.marks.assign(space.owned_cells, 1);
   if (algebra::sum_over_ranks(static_cast<std::int64_t>(task.entered.size()), space.layout->comm) > 0) {
     next.cuts.clear();
-    if (!task.estimates || estimation::shortfall(task.goals, *task.estimates).empty())
-      next.marks.assign(space.owned_cells, 0);
+    const bool is_only_reason =
+        task.lacks_contact || !task.estimates || estimation::shortfall(task.goals, *task.estimates).empty();
+    if (is_only_reason) next.marks.assign(space.owned_cells, 0);
     for (const std::size_t cell : task.entered) next.marks[cell] = 1;
+    if (is_only_reason && even.empty()) next.cuts = cuts_of_marked(problem, space, next.marks);
   }
   fem::mark_evenly(space, even, next.marks);
   for (std::size_t c = 0; c < next.marks.size(); ++c)

@@ -42,6 +42,7 @@ struct NextMeshTask {
   bool may_join = false;                   ///< whether cells may be joined
   bool wants_edges = false;                ///< only cells at edges of contact zones are divided or cut
   std::span<const std::size_t> entered{};  ///< owned cells that an obstacle enters between their nodes
+  bool lacks_contact = false;              ///< the shell has missed an obstacle: errors are those of another state
 };
 
 struct NextMesh {
