@@ -106,6 +106,26 @@ TEST(Accuracy, IsConfirmedByOneDegreeMore) {
 }
 
 /// A mesh whose problem at one degree more would be too large is not accepted, however small its estimates are.
+TEST(Accuracy, WithFiniteRotationsIsConfirmedInFewerSteps) {
+  problem::Problem p = accurate_bowl(1e-2);
+  p.shell.rotations = element::Rotations::finite;
+  int steps = 0, before_estimates = 0, of_solution = 0, of_witness = 0;
+  Observer observer;
+  observer.phase = [&](int, std::string_view phase) {
+    if (phase == "geometry") steps = before_estimates = 0;
+    if (phase == "contact") ++steps;
+    if (phase == "estimates") before_estimates = steps;
+    if (phase == "certificate" && before_estimates > 0) {
+      of_solution = before_estimates;
+      of_witness = steps - before_estimates;
+    }
+  };
+  const Result result = solve(p, MPI_COMM_SELF, observer);
+  ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+  EXPECT_GT(of_witness, 1);
+  EXPECT_LT(of_witness, of_solution);
+}
+
 TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
   problem::Problem p = accurate_bowl(1e-2);
   const Result result = solve(p, MPI_COMM_WORLD);

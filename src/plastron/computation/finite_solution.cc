@@ -12,6 +12,8 @@ namespace {
 constexpr int most_newton_steps = 60;
 /// Size of steps that end the iteration, and of steps that end it when they no longer get smaller: there rounding begins.
 constexpr double negligible_step = 1e-9, tiny_step = 1e-8, small_step = 1e-5;
+/// Expected size of the next step that ends the iteration where only the values of goals are needed, to some digits.
+constexpr double negligible_for_values = 1e-5;
 
 /// Number of steps that may be lengthened.
 constexpr int most_lengthenings = 4;
@@ -108,9 +110,11 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     }
     // A slow iteration, as with stiffness that is not symmetric, shrinks its steps by less than a tenth, too.
     const bool is_rounding = !is_lengthened && size < small_step && size > (size < tiny_step ? 0.9 : 1.0) * before;
+    const double rate = std::isinf(before) ? 1 : std::min(size / before, 1.0);
+    const bool is_enough = run.is_for_values() && size < near_end && rate * size <= negligible_for_values;
     before = size;
     last = std::move(step.increment);
-    if (size <= negligible_step || (step.shift == 0 && (is_rounding || is_at_rest(discrete, step)))) break;
+    if (size <= negligible_step || (step.shift == 0 && (is_enough || is_rounding || is_at_rest(discrete, step)))) break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
   run.has_lost_stiffness = run.has_lost_stiffness || lost_stiffness;

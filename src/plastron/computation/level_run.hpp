@@ -56,6 +56,8 @@ class LevelRun {
   std::optional<double> buckling(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
                                  const solution::Summary& summary);
 
+  /// Whether only values of goals are needed, to a small part of their errors.
+  bool is_for_values() const { return !task_.valued.empty(); }
   bool is_stopped() const { return wants_to_stop(observer_, discrete_->space().layout->comm); }
   void tell(std::string_view phase) const;
   assembly::DiscreteShell& discrete() { return *discrete_; }
