@@ -209,8 +209,7 @@ struct NarrowNode {
 std::vector<NarrowNode> narrow_nodes(const assembly::DiscreteShell& discrete, const solution::ContactFaces& faces,
                                      const algebra::Vector& with_area, std::size_t obstacle) {
   const std::size_t obstacles = discrete.obstacles.all.size();
-  const std::vector<char> on_edges =
-      solution::nodes_on_edges(discrete);  // a line of contact there is an ordinary load
+  const std::vector<char> on_edges = solution::nodes_on_edges(discrete);  // a line of contact there is an ordinary load
   std::vector<double> mine;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const std::size_t at = i * obstacles + obstacle;
