@@ -122,8 +122,8 @@ TEST(Accuracy, WithFiniteRotationsIsConfirmedInFewerSteps) {
   };
   const Result result = solve(p, MPI_COMM_SELF, observer);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
-  EXPECT_GT(of_witness, 1);
-  EXPECT_LT(of_witness, of_solution);
+  EXPECT_GT(of_witness, 0);
+  EXPECT_LT(of_witness + 1, of_solution);  // to 1e-9 it takes one step fewer
 }
 
 TEST(Accuracy, IsNotReachedWhereNothingLargerCanConfirmIt) {
