@@ -1,6 +1,6 @@
 // Reads [[obstacle]].
 #include <plastron/config/sections.hpp>
-#include <plastron/problem/edge_contact.hpp>
+#include <plastron/problem/both_faces.hpp>
 
 namespace plastron::config {
 

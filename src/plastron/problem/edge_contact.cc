@@ -4,6 +4,7 @@
 #include <plastron/fem/surface.hpp>
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/obstacle/error.hpp>
+#include <plastron/problem/both_faces.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -84,16 +85,6 @@ void put_both_faces(Problem& problem, std::size_t k) {
 }
 
 }  // namespace
-
-std::array<obstacle::Obstacle, 2> for_both_faces(const obstacle::Obstacle& body) {
-  std::array<obstacle::Obstacle, 2> both{body, body};
-  for (obstacle::Obstacle& one : both) one.is_for_both = true;
-  both[0].name += of_lower_face;
-  both[0].face = obstacle::Face::lower;
-  both[1].name += of_upper_face;
-  both[1].face = obstacle::Face::upper;
-  return both;
-}
 
 void let_both_faces_touch(Problem& problem) {
   const auto& all = problem.shell.obstacles.all;
