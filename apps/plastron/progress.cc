@@ -301,8 +301,6 @@ std::string place_text(const solution::Summary& s, const Eigen::Vector2d& at, co
                        : fmt::format("({:g})", fmt::join(at, ", "));
 }
 
-}  // namespace
-
 /// Prints the largest displacement of the steps where the end of the last one has a smaller one.
 void print_largest_of_steps(const computation::Result& result) {
   constexpr double more = 1.01;
@@ -315,6 +313,8 @@ void print_largest_of_steps(const computation::Result& result) {
       "at time {:<10.4g}|u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad, strain {:.2g} %, the most of all times\n",
       most.time, s.max_displacement, s.max_relative_displacement, s.max_rotation, 100 * s.max_strain);
 }
+
+}  // namespace
 
 void print_summary(const computation::Result& result) {
   const auto& s = result.summary;

@@ -38,7 +38,7 @@ double largest_way(algebra::Vector before, const algebra::Vector& now) {
 
 /// Whether a short step has ended in a shell without strain: what follows is rounding, however large beside displacements that are
 /// rounding, too (collective).
-bool is_at_rest(const assembly::DiscreteShell& discrete, const finite::NewtonStep& step) {
+bool is_unstrained_after(const assembly::DiscreteShell& discrete, const finite::NewtonStep& step) {
   if (step.largest_rotation >= small_step) return false;
   double thickness = std::numeric_limits<double>::infinity(), energy = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
@@ -114,7 +114,9 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     const bool is_enough = run.is_for_values() && size < near_end && rate * size <= negligible_for_values;
     before = size;
     last = std::move(step.increment);
-    if (size <= negligible_step || (step.shift == 0 && (is_enough || is_rounding || is_at_rest(discrete, step)))) break;
+    if (size <= negligible_step ||
+        (step.shift == 0 && (is_enough || is_rounding || is_unstrained_after(discrete, step))))
+      break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
   run.has_lost_stiffness = run.has_lost_stiffness || lost_stiffness;
