@@ -690,6 +690,13 @@ TEST(CutsThrough, HalveTheRowOfACellWhereThatAddsFewCells) {
   wide.domain = domain::Rectangle{.to = {1, 1}, .cells = {8, 8}};
   fem::MeshSequence square = meshing::mesh_sequence(wide, MPI_COMM_SELF);
   EXPECT_TRUE(meshing::cuts_through(*square.space(), fem::Surface(square.space()->coarse, wide.charts), some).empty());
+  // Triangles have no rows.
+  problem::Problem triangles = pressed_strip();
+  triangles.discretisation = {.cells = mesh::Shape::triangle, .degree = 2, .refinements = 0};
+  triangles.shell.tying = false;
+  fem::MeshSequence of_triangles = meshing::mesh_sequence(triangles, MPI_COMM_SELF);
+  const auto coarse = of_triangles.space()->coarse;
+  EXPECT_TRUE(meshing::cuts_through(*of_triangles.space(), fem::Surface(coarse, triangles.charts), some).empty());
 }
 
 /// For a disk of five cells, whose outer ones have bent sides at the rim: the result of cutting along the rim again and again.

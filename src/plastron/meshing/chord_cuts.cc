@@ -83,6 +83,48 @@ class CellShapes {
   const fem::Surface& surface_;
 };
 
+/// Judges cuts of chords: the parts of cells are neither too small nor too bent.
+class CutRule {
+ public:
+  CutRule(const fem::Space& space, const CellShapes& shapes, const Chords& numbers)
+      : shapes_(shapes),
+        parts_(fem::cut_cells(*space.coarse)),
+        cells_(static_cast<std::size_t>(numbers.count)),
+        may_be_bent_(space.degree <= constants.bent_degree) {
+    for (std::size_t c = 0; c < numbers.of_cell.size(); ++c)
+      for (std::size_t d = 0; d < 2; ++d)
+        cells_[static_cast<std::size_t>(numbers.of_cell[c][d])].push_back({c, static_cast<Eigen::Index>(d)});
+  }
+
+  /// Whether the cells of a chord have sound parts if they are cut at this place in (0, 1).
+  bool has_sound_parts(std::size_t chord, double cut) const {
+    return std::ranges::all_of(cells_[chord], [&](const Crossing& at) {
+      const auto d = static_cast<std::size_t>(at.direction);
+      return shapes_.is_straight(at.cell, d, 0, cut, constants.largest_bend) &&
+             shapes_.is_straight(at.cell, d, cut, 1, constants.largest_bend) &&
+             parts_[at.cell].size[at.direction] * std::min(cut, 1 - cut) >= constants.smallest_cell;
+    });
+  }
+  /// Whether a chord can be cut there: its parts are sound, and cells of high degree are straight.
+  bool allows(std::size_t chord, double cut) const {
+    return has_sound_parts(chord, cut) && (may_be_bent_ || std::ranges::all_of(cells_[chord], [&](const Crossing& at) {
+                                             return shapes_.is_straight(at.cell, 0, 0, 1, constants.straight_bend) &&
+                                                    shapes_.is_straight(at.cell, 1, 0, 1, constants.straight_bend);
+                                           }));
+  }
+
+ private:
+  /// A cell that a chord crosses, and the direction that it cuts.
+  struct Crossing {
+    std::size_t cell;
+    Eigen::Index direction;
+  };
+  const CellShapes& shapes_;
+  std::vector<fem::CutCell> parts_;
+  std::vector<std::vector<Crossing>> cells_;  // by chord
+  bool may_be_bent_;
+};
+
 class ChordChoice {
  public:
   ChordChoice(const fem::Space& space, const fem::Surface& surface, const ChordTask& task)
@@ -146,31 +188,12 @@ class ChordChoice {
   }
 
   void place_cuts() {
-    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> cells(chords_.size());  // and directions
-    for (std::size_t c = 0; c < numbers_.of_cell.size(); ++c)
-      for (std::size_t d = 0; d < 2; ++d) cells[numbers_.of_cell[c][d]].emplace_back(c, d);
-    const std::vector<fem::CutCell> parts = fem::cut_cells(*space_.coarse);
+    const CutRule rule(space_, shapes_, numbers_);
     for (std::size_t i = 0; i < chords_.size(); ++i) {
       double& cut = chords_[i].cut;
-      const auto makes_bent_parts = [&](const auto& cell) {
-        return !shapes_.is_straight(cell.first, cell.second, 0, cut, constants.largest_bend) ||
-               !shapes_.is_straight(cell.first, cell.second, cut, 1, constants.largest_bend);
-      };
-      const auto is_bent = [&](const auto& cell) {
-        return !shapes_.is_straight(cell.first, 0, 0, 1, constants.straight_bend) ||
-               !shapes_.is_straight(cell.first, 1, 0, 1, constants.straight_bend);
-      };
-      const auto makes_small_parts = [&](const auto& cell) {
-        return parts[cell.first].size[static_cast<Eigen::Index>(cell.second)] * std::min(cut, 1 - cut) <
-               constants.smallest_cell;
-      };
-      const auto is_good = [&] {
-        return std::ranges::none_of(cells[i], makes_bent_parts) && std::ranges::none_of(cells[i], makes_small_parts);
-      };
       // Moves the cut towards the middle. A chord that cannot even be halved has no worth.
-      while (cut != 0.5 && !is_good()) cut = std::abs(cut - 0.5) < 0.02 ? 0.5 : (2 * cut + 0.5) / 3;
-      const bool is_beyond = space_.degree > constants.bent_degree && std::ranges::any_of(cells[i], is_bent);
-      if (is_beyond || !is_good()) chords_[i].share = 0;
+      while (cut != 0.5 && !rule.has_sound_parts(i, cut)) cut = std::abs(cut - 0.5) < 0.02 ? 0.5 : (2 * cut + 0.5) / 3;
+      if (!rule.allows(i, cut)) chords_[i].share = 0;
     }
   }
 
@@ -268,27 +291,11 @@ Chords chords(const mesh::CoarseMesh& mesh) {
 
 namespace {
 
-/// Whether chords can be cut: no cell is divided, and there are no folds, whose two sides would have to be cut alike.
+/// Whether chords can be cut: the mesh has any, no cell is divided, and there are no folds, whose two sides would have to be cut
+/// alike.
 bool has_whole_chords(const fem::Space& space) {
-  return space.global_cells == static_cast<std::int64_t>(space.coarse->cells.size()) && space.coarse->folds.empty();
-}
-
-/// Marks the chords whose cells can all be halved: their parts are neither too small nor too bent.
-std::vector<char> halvable(const fem::Space& space, const CellShapes& shapes, const Chords& numbers) {
-  std::vector<char> marks(static_cast<std::size_t>(numbers.count), 1);
-  const std::vector<fem::CutCell> parts = fem::cut_cells(*space.coarse);
-  for (std::size_t c = 0; c < numbers.of_cell.size(); ++c) {
-    const bool may_bend =
-        space.degree <= constants.bent_degree || (shapes.is_straight(c, 0, 0, 1, constants.straight_bend) &&
-                                                  shapes.is_straight(c, 1, 0, 1, constants.straight_bend));
-    for (std::size_t d = 0; d < 2; ++d) {
-      const bool is_good = may_bend && parts[c].size[static_cast<Eigen::Index>(d)] / 2 >= constants.smallest_cell &&
-                           shapes.is_straight(c, d, 0, 0.5, constants.largest_bend) &&
-                           shapes.is_straight(c, d, 0.5, 1, constants.largest_bend);
-      if (!is_good) marks[static_cast<std::size_t>(numbers.of_cell[c][d])] = 0;
-    }
-  }
-  return marks;
+  return space.shape() == mesh::Shape::quadrilateral &&
+         space.global_cells == static_cast<std::int64_t>(space.coarse->cells.size()) && space.coarse->folds.empty();
 }
 
 }  // namespace
@@ -309,7 +316,9 @@ std::vector<mesh::Cuts> cuts_through(const fem::Space& space, const fem::Surface
   std::vector<double> lengths(count, 0), given(count + 1, 0);  // numbers of cells; the last one: of all given cells
   for (const auto& of_cell : numbers.of_cell)
     for (const int chord : of_cell) lengths[static_cast<std::size_t>(chord)] += 1;
-  const std::vector<char> can_be_cut = halvable(space, shapes, numbers);
+  const CutRule rule(space, shapes, numbers);
+  std::vector<char> can_be_cut;
+  for (std::size_t chord = 0; chord < count; ++chord) can_be_cut.push_back(rule.allows(chord, 0.5) ? 1 : 0);
   for (const std::size_t cell : cells) {
     const auto coarse = static_cast<std::size_t>(space.cells[cell].coarse);
     for (std::size_t d = 0; d < 2; ++d) given[number(coarse, d)] += 1;
