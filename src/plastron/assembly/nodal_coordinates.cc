@@ -159,8 +159,7 @@ obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double
 bool NodalCoordinates::is_fixed_inside(const ContactRow& row, const NodalPoint& point) const {
   if (row.is_touchable() || row.is_left_out) return false;
   const double initial = gaps[static_cast<std::size_t>(row.obstacle)][row.node].initial;
-  // The distance to an obstacle that is much larger than the shell has few digits, which the thickness measures.
-  return row.bound_gap < -1e-12 * (point.phi.norm() + std::abs(initial)) - 1e-9 * point.thickness;
+  return row.bound_gap < -1e-12 * (point.phi.norm() + std::abs(initial)) - gap_rounding * point.thickness;
 }
 
 NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_pointer,

@@ -19,6 +19,9 @@ namespace plastron::assembly {
 
 using RowMatrix = constraints::RowMatrix;
 
+/// Gaps of this part of the thickness are rounding: the distance to an obstacle that is much larger than the shell has few digits.
+inline constexpr double gap_rounding = 1e-9;
+
 struct NodalCoordinates {
   int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is a coordinate
   std::vector<NodeBasis> basis;  ///< T of every local node

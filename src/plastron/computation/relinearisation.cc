@@ -17,9 +17,6 @@ using assembly::node_values;
 using assembly::Vector6;
 using Eigen::Vector3d;
 
-/// Gaps of this size are rounding: the distance to an obstacle that is much larger than the shell has few digits [thickness].
-constexpr double gap_rounding = 1e-9;
-
 /// Whether the row's bound may differ from the gap for any obstacle.
 bool is_inexact(const assembly::ContactRow& row) { return row.is_left_out || row.is_approximate; }
 
@@ -104,14 +101,13 @@ GapError gap_error(const assembly::DiscreteShell& discrete, const solution::Noda
 
 Nearness nearness(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete,
                   const solution::NodalSolution& solution) {
-  // The gaps of a shell at rest are only rounding, which its thickness measures.
   double thickness = std::numeric_limits<double>::infinity();
   for (const assembly::NodalPoint& point : discrete.points) thickness = std::min(thickness, point.thickness);
   thickness = algebra::min_over_ranks(thickness, discrete.space().layout->comm);
   return {.distance = distance_from_state(discrete, solution),
           .depth = gap_error(discrete, solution).depth,
-          .negligible =
-              std::max(settings.tolerance * solution::largest_displacement(solution.y), gap_rounding * thickness)};
+          .negligible = std::max(settings.tolerance * solution::largest_displacement(solution.y),
+                                 assembly::gap_rounding * thickness)};
 }
 
 Relinearisation::Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete)

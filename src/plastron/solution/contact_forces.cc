@@ -114,7 +114,7 @@ std::vector<fem::BoundarySide> edge_sides(const assembly::DiscreteShell& discret
                     support.boundary == space.coarse->boundaries[static_cast<std::size_t>(side.boundary)];
            });
   };
-  std::set<std::pair<std::size_t, int>> left_out;  // or seen: a side with several names occurs several times
+  std::set<std::pair<std::size_t, int>> left_out;  // or taken already: a side with several names occurs several times
   for (const fem::BoundarySide& side : space.sides)
     if (side.is_inner || is_mirrored(side)) left_out.emplace(side.cell, side.side);
   std::vector<fem::BoundarySide> sides;
