@@ -10,9 +10,9 @@ namespace {
 constexpr double usual_steps = 7;
 
 /// Returns the factor between the next part and the last one.
-double growth(const Attempt& attempt, const Pace& pace) {
+double growth(int newton_steps, const Pace& pace) {
   if (!pace.follows_iteration) return 2;
-  return std::clamp(usual_steps / std::max(attempt.newton_steps, 1), 0.25, 2.0);
+  return std::clamp(usual_steps / std::max(newton_steps, 1), 0.25, 2.0);
 }
 
 /// Whether a shorter part can have another status. The linear contact problem of a longer part is no harder.
@@ -33,6 +33,17 @@ Pace pace_of(const problem::Instant& to) {
           .follows_iteration = true};
 }
 
+void PartLength::accept(double part, int newton_steps) {
+  double next = part * growth(newton_steps, pace_);
+  if (next >= part)
+    longer_ = {};
+  else if (next < pace_.least_by_iteration || (part < longer_.length && newton_steps >= longer_.steps))
+    next = part;
+  else
+    longer_ = {part, newton_steps};
+  length_ = std::min(next, pace_.longest);
+}
+
 Attempt judged(const LevelResult& level, double part, const Pace& pace) {
   using enum contact::Status;
   const bool is_found = level.record.status == solved || level.record.status == inaccurate;
@@ -45,11 +56,12 @@ Attempt judged(const LevelResult& level, double part, const Pace& pace) {
 
 bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant& to, const Pace& pace,
                  const Solve& solve) {
-  double done = 0, length = pace.first;
+  double done = 0;
+  PartLength length(pace);
   while (done < 1) {
     // A short rest joins the last part.
     const double rest = 1 - done;
-    double next = rest <= std::min(1.25 * length, pace.longest) ? 1 : done + length;
+    double next = rest <= std::min(1.25 * length(), pace.longest) ? 1 : done + length();
     next = std::min(next, next_part(*run.solution().discrete, run.solution().nodal.y, from, to, done));
     if (run.is_interrupted() || !run.has_time_for(to)) return false;
     const Departure departure =
@@ -59,7 +71,7 @@ bool go_in_parts(Run& run, const problem::Instant& from, const problem::Instant&
       const Attempt attempt = solve(instant, departure, next - done);
       if (!attempt.may_go_on) return false;
       if (attempt.is_accepted) {
-        length = std::min((next - done) * growth(attempt, pace), pace.longest);
+        length.accept(next - done, attempt.newton_steps);
         break;
       }
       next = done + (next - done) / 2;
