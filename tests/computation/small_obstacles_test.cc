@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "computation/problems.hpp"
 
@@ -310,6 +311,47 @@ TEST(SharpEdges, CarryAStripThatHangsOverThem) {
           EXPECT_LT(std::abs(r.summary.reaction.force[0]), 1e-4 * r.summary.reaction.force[2]) << cells;
         }
       }
+}
+
+// The turn of a face moves its gap to an edge beside the node: the linearised gaps came to rest slowly, or not at all.
+TEST(SharpEdges, BetweenNodesComeToRest) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> offset(0, 0.06);
+  for (int i = 0; i < 12; ++i) {
+    const int cells = std::uniform_int_distribution<int>(8, 40)(random), degree = 2 + i % 3;
+    const double x = offset(random);
+    const Result r =
+        solve(overhanging_strip(obstacle::Box{.centre = {0.5 + x, 0.5, -0.5}, .size = {1, 3, 1}}, cells, degree, 1),
+              MPI_COMM_WORLD);
+    EXPECT_EQ(r.status, Status::solved) << cells << " cells of degree " << degree << ", " << x;
+    EXPECT_LE(r.last_level().linearisations, 30) << cells << " cells of degree " << degree << ", " << x;
+    EXPECT_NEAR(r.probes[0].values.u[2] / -2.2125e-4, 1, 0.6) << cells << " cells of degree " << degree << ", " << x;
+  }
+}
+
+TEST(SharpTips, BetweenNodesComeToRest) {
+  std::mt19937 random(2);
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  int at_rest = 0;
+  constexpr int tips = 12;
+  for (int i = 0; i < tips; ++i) {
+    problem::Problem p = free_plate();
+    p.domain = domain::Rectangle{.to = {1, 0.4}, .cells = {4, 2}};
+    p.shell.sections.common.thickness = Expression(0.02);
+    p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
+    p.shell.supports = {clamped("left"), clamped("right")};
+    p.shell.loads.on_areas = {force(0, 0, -2e-5)};
+    p.discretisation = {.degree = 2 + 2 * (i % 2), .refinements = 0};
+    const obstacle::Cone cone{.apex = {between(0.3, 0.7), between(0.1, 0.3), between(-0.02, -0.011)},
+                              .axis = {0, 0, -1},
+                              .half_angle = between(0.1, 1.2),
+                              .height = 0.1};
+    p.shell.obstacles.all = {{.shape = cone}};
+    const Result r = solve(p, MPI_COMM_WORLD);
+    at_rest += r.status == Status::solved ? 1 : 0;
+    EXPECT_GT(upward(r), 0) << cone.apex.transpose() << ", " << cone.half_angle;
+  }
+  EXPECT_GE(at_rest, tips - 2);  // five or six of them came to rest without the correction of steps
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -113,26 +114,94 @@ Nearness nearness(const problem::Linearisation& settings, const assembly::Discre
 Relinearisation::Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete)
     : settings_(settings), discrete_(discrete) {}
 
+Relinearisation::Iterate Relinearisation::iterate(const solution::NodalSolution& solution) const {
+  Iterate now;
+  const auto add = [&](double from, double to) {
+    now.at.push_back(from);
+    now.way.push_back(to - from);
+  };
+  const auto from = discrete_.state.displacement.local(), to = solution.y.local();
+  for (std::size_t i = 0; i < to.size(); ++i) add(from[i], to[i]);
+  const std::vector<double> positions = discrete_.positions();
+  for (std::size_t k = 0; k < positions.size(); ++k) add(discrete_.state.position(k), positions[k]);
+  return now;
+}
+
+double Relinearisation::product(const std::vector<double>& a, const std::vector<double>& b) const {
+  const algebra::Layout& layout = *discrete_.space().layout;
+  double sum = 0;
+  for (std::size_t i = 0; i < 6 * static_cast<std::size_t>(layout.owned); ++i)
+    if (i % 6 < 3) sum += a[i] * b[i];
+  return algebra::sum_over_ranks(sum, layout.comm);
+}
+
+void Relinearisation::correct(const Iterate& now, std::vector<double>& step) const {
+  constexpr double independent = 1e-4, most = 100;
+  std::vector<Iterate> changes;
+  for (std::size_t j = 0; j < iterates_.size(); ++j) {
+    const Iterate& next = j + 1 < iterates_.size() ? iterates_[j + 1] : now;
+    Iterate& change = changes.emplace_back(next);
+    for (std::size_t i = 0; i < change.at.size(); ++i) {
+      change.at[i] -= iterates_[j].at[i];
+      change.way[i] -= iterates_[j].way[i];
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(changes.size());
+  Eigen::MatrixXd products(count, count);
+  Eigen::VectorXd right(count);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const std::vector<double>& way = changes[static_cast<std::size_t>(j)].way;
+    right[j] = product(way, now.way);
+    for (Eigen::Index i = 0; i <= j; ++i)
+      products(i, j) = products(j, i) = product(way, changes[static_cast<std::size_t>(i)].way);
+  }
+  // Changes of unlike size have the same weight; those that depend on the others are left out.
+  const Eigen::VectorXd scale = products.diagonal().cwiseSqrt();
+  if (!(scale.minCoeff() > 0)) return;
+  const auto modes = geometry::symmetric_eigen(
+      Eigen::MatrixXd(scale.cwiseInverse().asDiagonal() * products * scale.cwiseInverse().asDiagonal()));
+  Eigen::VectorXd in_modes = modes.vectors.transpose() * right.cwiseQuotient(scale);
+  for (Eigen::Index j = 0; j < count; ++j)
+    in_modes[j] = modes.values[j] > independent * modes.values[count - 1] ? in_modes[j] / modes.values[j] : 0;
+  const Eigen::VectorXd factors = (modes.vectors * in_modes).cwiseQuotient(scale);
+  if (!(factors.cwiseAbs().maxCoeff() < most)) return;
+  for (Eigen::Index j = 0; j < count; ++j)
+    for (std::size_t i = 0; i < step.size(); ++i)
+      step[i] -= factors[j] *
+                 (changes[static_cast<std::size_t>(j)].at[i] + part_ * changes[static_cast<std::size_t>(j)].way[i]);
+}
+
 std::optional<assembly::State> Relinearisation::next(const solution::NodalSolution& solution) {
+  constexpr std::size_t most_iterates = 5;
+  constexpr int most_farther = 3;
+  constexpr double least_part = 0.0625;
   if (discrete_.obstacles.are_linear || !has_rows_to_meet(discrete_)) return {};
   const Nearness near = nearness(settings_, discrete_, solution);
   is_met_ = near.is_met();
   if (is_met_ || steps_ >= settings_.max_steps) return {};
-  if (steps_ > 1 && !(near.distance < last_)) part_ /= 2;
+  const bool is_nearer = steps_ == 1 || near.distance < last_;
+  part_ = is_nearer ? std::min(1.0, 2 * part_) : std::max(least_part, part_ / 2);
+  farther_ = is_nearer ? 0 : farther_ + 1;
+  if (farther_ == most_farther) {
+    iterates_.clear();
+    farther_ = 0;
+  }
   last_ = near.distance;
   ++steps_;
   assembly::State state = discrete_.state;
   state.displacement = solution.y;
   state.positions = discrete_.positions();
-  if (part_ < 1 && discrete_.state.is_deformed()) {
-    const auto before = discrete_.state.displacement.local();
-    const auto values = state.displacement.local();
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = before[i] + part_ * (values[i] - before[i]);
-    for (std::size_t k = 0; k < state.positions.size(); ++k) {
-      const double at = discrete_.state.position(k);
-      state.positions[k] = at + part_ * (state.positions[k] - at);
-    }
-  }
+  if (!discrete_.state.is_deformed()) return state;
+  Iterate now = iterate(solution);
+  std::vector<double> step = now.way;
+  for (double& value : step) value *= part_;
+  if (!iterates_.empty()) correct(now, step);
+  const auto values = state.displacement.local();
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = now.at[i] + step[i];
+  for (std::size_t k = 0; k < state.positions.size(); ++k)
+    state.positions[k] = now.at[values.size() + k] + step[values.size() + k];
+  iterates_.push_back(std::move(now));
+  if (iterates_.size() > most_iterates) iterates_.pop_front();
   return state;
 }
 

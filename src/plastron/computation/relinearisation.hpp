@@ -6,7 +6,9 @@
 #include <plastron/problem/problem.hpp>
 #include <plastron/solution/nodal_solution.hpp>
 
+#include <deque>
 #include <optional>
+#include <vector>
 
 namespace plastron::computation {
 
@@ -33,8 +35,10 @@ struct Nearness {
 Nearness nearness(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete,
                   const solution::NodalSolution& solution);
 
-/// The loop of one mesh. A step moves the state to the solution. If the distance to the solution does not decrease,
-/// later steps go half the previous part of the way. Therefore the loop converges or reports that it does not.
+/// The loop of one mesh. A step moves the state to the solution. This converges slowly beside edges and corners of obstacles, where the
+/// turn of a face moves its gap. So each step is corrected by the last ones (Anderson's acceleration): by the combination of their
+/// changes that cancels most of the way to the solution. A step after which the solution is farther away is followed by half a step, and
+/// after three of them the loop forgets all changes.
 class Relinearisation {
  public:
   Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete);
@@ -46,11 +50,23 @@ class Relinearisation {
   int steps() const { return steps_; }
 
  private:
+  /// A state and the way from there to its solution: (u, r) of local nodes, then positions of pressed obstacles.
+  struct Iterate {
+    std::vector<double> at{}, way{};
+  };
+  Iterate iterate(const solution::NodalSolution& solution) const;
+  /// Adds to a step what cancels as much of the way as the last iterates show (collective).
+  void correct(const Iterate& now, std::vector<double>& step) const;
+  /// Product of the displacements of owned nodes (collective).
+  double product(const std::vector<double>& a, const std::vector<double>& b) const;
+
   const problem::Linearisation& settings_;
   const assembly::DiscreteShell& discrete_;
   bool is_met_ = true;
   int steps_ = 1;
+  int farther_ = 0;  ///< number of the last steps after which the solution was farther away
   double part_ = 1, last_ = 0;
+  std::deque<Iterate> iterates_{};  ///< the last ones, of deformed states
 };
 
 }  // namespace plastron::computation
