@@ -4,6 +4,7 @@ import math
 
 from bodies import Body
 from cases import E
+from features import RELAXED
 from frame import dot, norm, plus, times
 
 # Gauss's rule of six points on [-1, 1].
@@ -53,7 +54,8 @@ class Checks:
         self.force = lambda v: frame.back(v, force=1)
         self.scale = max(norm(self.force(v["force"])) for v in [r["loads"], r["reaction"], r["support_reaction"],
                                                                 *(s["reaction"] for s in r["supports"]), *(o["reaction"] for o in r["obstacles"])])
-        self.rounding = 1e-17 * E * self.case.e  # of forces that vanish, as those of initial strains on a shell that is free to follow
+        # Of forces that vanish, as those of initial strains on a shell that is free to follow: a part of what is summed.
+        self.rounding = max(1e-17 * E * self.case.e, 1e-9 * norm(self.force([r["loads"]["sum_of_norms"], 0.0, 0.0])))
 
     def near(self, what, a, b, tolerance, scale):
         apart = norm(plus(a, b, -1)) if isinstance(a, list) else abs(a - b)
@@ -96,7 +98,9 @@ class Checks:
         """Clapeyron: a linear shell without contact and prescribed values stores half of the work of its loads."""
         row, r = self.case.row, self.results
         if row["model"] == "small" and not self.case.bodies and row["support"] != "prescribed" and row["load"] != "strain":
-            self.near("half of the work", r["energy"], r["load_work"] / 2, 1e-4, abs(r["energy"]) + 1e-300)
+            # The rest is stored in the penalty or the stabilisation of r . a3.
+            tolerance = 1e-2 if row["formulation"] in RELAXED else 1e-4
+            self.near("half of the work", r["energy"], r["load_work"] / 2, tolerance, abs(r["energy"]) + 1e-300)
 
     def contact(self, k, name, body):
         results = [o for o in self.results["obstacles"] if o["name"].startswith(name)]

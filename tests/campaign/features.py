@@ -41,6 +41,7 @@ PLANE = {"rectangle", "plane mesh"}
 IN_SPACE = set(FEATURES["source"]) - PLANE
 ORDERS = {"order 1", "order 2", "order 3", "order 4"}
 LAYERED = {"cross-ply", "coupled"}
+RELAXED = {"penalised", "mixed"}  # r need not be tangent
 # The value of each feature in the simplest case: the reduction of a failing case goes there.
 SIMPLEST = {name: values[0] for name, values in FEATURES.items()} | {"degree": 2, "load": "force", "size": "small"}
 
@@ -95,7 +96,7 @@ CONSTRAINTS = [
     empty("without obstacle", obstacle="none", admissible="yes"),
     empty("obstacles move in steps", motion=others("motion", "none"), steps="none"),
     empty("loads are controlled in steps", control="control", steps={"none", "back"}),
-    empty("no load to control", control="control", load={"none", "strain"}),
+    empty("strains are not controlled", control="control", load="strain"),
     empty("nothing moves", load="none", obstacle="none", support=others("support", "prescribed")),
     empty("strains belong to layers", load="strain", material=others("material", *LAYERED)),
     empty("three points hold loads in equilibrium only", support="points", load=others("load", "none", "strain")),
@@ -106,6 +107,9 @@ CONSTRAINTS = [
     empty("the points are corners of a piece", support="points", surface="tube"),
     empty("the points are corners of a piece", support="points", source={"facets"}),
     empty("components of a body are those of the axes", rigid=others("rigid", "none"), symmetry="half", turned="general"),
+    empty("the multiplier and the penalty vanish at an edge of symmetry, and not inside the whole", formulation=RELAXED, symmetry="half",
+          surface=others("surface", "plate")),
+    refused("no load to control", control="control", load="none"),
     empty("rounding cuts facets anew in each half", source="facets", symmetry="half"),
     empty("curves of turned facets have names by their place", source="facets", turned="general"),
 ]

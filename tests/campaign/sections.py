@@ -230,7 +230,8 @@ def loads(case):
         law = f'"{number(frame.scalar(direction[2], 1, -2))}*(1 + 0.5*{frame.place(0)})"'
         return ["[[load]]", f"pressure = {law}"] + (["follows = true"] if kind == "follower" else [])
     if kind == "couple":
-        return ["[[load]]", f"couple = {vector_text(frame.vector([0, 0.3 * direction[2], 0], force=1, length=-1))}"]
+        # It does work on r, which lies in the plane of symmetry.
+        return ["[[load]]", f"couple = {vector_text(frame.vector([0.3 * direction[2], 0, 0], force=1, length=-1))}"]
     if kind == "weight":
         g = frame.vector(times(1 / case.e, direction), force=1, length=-3)
         return ["[gravity]", f"acceleration = {vector_text(g)}"]
@@ -276,7 +277,8 @@ def steps(case):
     if row["control"] == "control":
         to = case.load_direction()[2] / abs(case.load_direction()[2]) * case.amount * 0.5
         up = vector_text(case.frame.direction([0, 0, 1]))
-        return lines + [f'control = {{ probe = "p", direction = {up}, to = {number(to * case.frame.length)} }}']
+        lines.append(f'control = {{ probe = "p", direction = {up}, to = {number(to * case.frame.length)} }}')
+        return lines + (_move(case, "press") if row["motion"] != "none" else [])
     if row["motion"] != "none":
         lines += _move(case, "press")
     if row["motion"] in ("slide", "turn"):
