@@ -1,13 +1,11 @@
 #include <plastron/estimation/contact_edge.hpp>
 
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/solution/contact_faces.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace plastron::estimation {
 
@@ -47,6 +45,8 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   width_.emplace(discrete, solution::contact_faces(discrete, solved.nodal).touching);
   if (solution::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
+  is_pressed_.assign(obstacles, 0);
+  for (const std::size_t k : assembly::pressed_obstacles(discrete)) is_pressed_[k] = 1;
   find_held();
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
@@ -165,25 +165,37 @@ void ContactEdge::find_deepest() {
   for (Deepest& at : deepest_) at.part = -at.gap / depths.local()[at.node * obstacles + at.obstacle];
 }
 
-std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const algebra::Vector& y,
-                                             const Reactions& reactions) const {
+// An obstacle at rest: mu g(u_h), for the energy with eta, and eta (B z - w). The obstacle of a force moves by z, too. The energy's
+// term eta g(u_h) and the gap in w are large and cancel where only the position of the obstacle is wrong, so they are one term there.
+ContactEdge::Products ContactEdge::products(const Dual& dual, std::size_t obstacle, const obstacle::Gap& gap, double mu,
+                                            double eta, double opened, double opened_by_dual) const {
+  const double depth = gap.initial + opened;
+  double reach = opened_by_dual - dual.derivative.held_at(obstacle, gap);
+  if (is_pressed_[obstacle] == 0)
+    return {.penetration = (dual.derivative.weighs_gaps ? mu + eta : mu) * depth, .reach = eta * reach};
+  reach -= dual.positions[obstacle] * gap.normal.dot(solved_.discrete.obstacles.all[obstacle].force.normalized());
+  if (dual.derivative.weighs_gaps) reach += depth;
+  return {.penetration = mu * depth, .reach = eta * reach};
+}
+
+std::vector<double> ContactEdge::line_shares(const Dual& dual) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
   std::vector<double> lines(crossed_.size(), 0);
   for (const Deepest& at : deepest_) {
     // Energies change only with the square of the edge's error.
-    if (!at.on_line && derivative.weighs_gaps) continue;
+    if (!at.on_line && dual.derivative.weighs_gaps) continue;
     const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
     const element::BasisAt point = element::basis_at(mesh::Shape::quadrilateral, discrete.space().degree, {xi});
     const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
     const geometry::Frame frame = discrete.shell.surface().frame(discrete.space().cells[cell], xi, false);
-    const element::CellField z = discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, y));
+    const element::CellField z =
+        discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, dual.y));
     const double weight = at.part * discrete.points[at.node].side_weight;
-    const double mu = weight * (reactions.mu[entry] + (derivative.weighs_gaps ? reactions.eta[entry] : 0));
-    const double eta = weight * reactions.eta[entry];
-    const double reach = opening(discrete, gap, z.row(0), frame.a3) - derivative.held_at(at.obstacle, gap);
-    lines[at.crossed] += std::max(std::abs(mu * at.gap), solved_.box.pressing.empty() ? std::abs(eta * reach) : 0.0);
+    lines[at.crossed] += products(dual, at.obstacle, gap, weight * dual.mu[entry], weight * eta_[entry],
+                                  at.gap - gap.initial, opening(discrete, gap, z.row(0), frame.a3))
+                             .larger();
   }
   return lines;
 }
@@ -249,8 +261,7 @@ void ContactEdge::extend_to_held_nodes(std::size_t cell, std::size_t obstacle, E
       densities(i, 1) = sum / touching;
 }
 
-double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivative& derivative,
-                          const element::CellField& z, const Reactions& reactions) const {
+double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& dual) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
   const assembly::ShellOperator& shell = discrete.shell;
   const fem::Space& space = discrete.space();
@@ -260,44 +271,41 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
   Eigen::MatrixXd densities(space.nodes_per_cell(), 2);
   for (int i = 0; i < space.nodes_per_cell(); ++i) {
     const std::size_t node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]) * obstacles;
-    densities.row(i) << reactions.mu[node + obstacle], reactions.eta[node + obstacle];
+    densities.row(i) << dual.mu[node + obstacle], eta_[node + obstacle];
   }
   extend_to_held_nodes(cell, obstacle, densities);
   const Eigen::MatrixXd density = reaction_basis_ * densities;
   std::vector<geometry::Frame> frames(at.xi.size());
   shell.surface().frames(space.cells[cell], at.xi, frames, false);
   const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
-  const element::CellField dual = shell.interpolation().values(cell, at, z);
+  const element::CellField z = shell.interpolation().values(cell, at, shell.gather(cell, dual.y));
   const element::CellField moved = discrete.state_values(cell, at);
-  double penetration = 0, reach = 0;
+  Products sum;
   for (int q = 0; q < u.rows(); ++q) {
     const assembly::QuadraturePoint& p = shell.point(cell, q);
-    const obstacle::Gap gap =
-        discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3, p.thickness,
-                                                    moved.row(q).transpose()));
-    const auto opened = [&](const element::CellField& field) {
-      return opening(discrete, gap, field.row(q), p.frame.a3);
-    };
-    penetration += p.area * density(q, 0) * (gap.initial + opened(u));
-    reach += p.area * density(q, 1) * (opened(dual) - derivative.held_at(obstacle, gap));
-    if (derivative.weighs_gaps) penetration += p.area * density(q, 1) * (gap.initial + opened(u));
+    obstacle::Gap gap = discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3,
+                                                                    p.thickness, moved.row(q).transpose()));
+    const Products here =
+        products(dual, obstacle, gap, p.area * density(q, 0), p.area * density(q, 1),
+                 opening(discrete, gap, u.row(q), p.frame.a3), opening(discrete, gap, z.row(q), p.frame.a3));
+    sum.penetration += here.penetration;
+    sum.reach += here.reach;
   }
-  // The dual's displacement of a pressed obstacle is not available here.
-  return std::max(std::abs(penetration), solved_.box.pressing.empty() ? std::abs(reach) : 0.0);
+  return sum.larger();
 }
 
-EdgeShares ContactEdge::shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const {
+EdgeShares ContactEdge::shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y) const {
   EdgeShares result(crossed_.size());
   if (eta_.empty()) return result;
-  algebra::Vector multiplier(z.layout(), z.block());
-  solved_.box.apply(z, multiplier);
-  algebra::axpy(-1, derivative.dual.load, multiplier);
-  const Reactions reactions{.mu = densities(multiplier), .eta = eta_};
-  result.lines = line_shares(derivative, y, reactions);
+  Dual z{.derivative = derivative,
+         .y = y,
+         .mu = densities(dual.multiplier),
+         .positions = std::vector<double>(is_pressed_.size(), 0)};
+  const std::vector<std::size_t> pressed = assembly::pressed_obstacles(solved_.discrete);
+  for (std::size_t k = 0; k < pressed.size(); ++k) z.positions[pressed[k]] = dual.positions.at(k);
+  result.lines = line_shares(z);
   for (std::size_t i = 0; i < crossed_.size(); ++i) {
-    const element::CellField field = solved_.discrete.shell.gather(crossed_[i], y);
-    for (std::size_t k = 0; k < solved_.discrete.obstacles.all.size(); ++k)
-      result.all[i] += share(crossed_[i], k, derivative, field, reactions);
+    for (std::size_t k = 0; k < solved_.discrete.obstacles.all.size(); ++k) result.all[i] += share(crossed_[i], k, z);
     result.all[i] = std::max(result.all[i], result.lines[i]);
   }
   return result;

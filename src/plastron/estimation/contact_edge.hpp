@@ -5,12 +5,15 @@
 // mu and eta the reactions of dual and solution, g(u_h) the gap, w the values at which the dual is fixed. Like the
 // product of strain errors, they are known by size, not by sign (docs/methods/estimates.md). A true line of contact
 // lies between nodes. There the approximate shell penetrates the obstacle beside the row of touching nodes. Nodal
-// quadrature does not include this, so both terms are evaluated at the deepest point.
+// quadrature does not include this, so both terms are evaluated at the deepest point. A pressed obstacle follows the
+// shell: a depth that is the same everywhere changes its position, and no term contains it.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 #include <plastron/solution/contact_width.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -42,12 +45,20 @@ class ContactEdge {
   /// For each crossed cell whose free nodes all touch: the mean place in [0, 1] along its direction across() between
   /// touching nodes and nodes that supports hold.
   const std::vector<std::optional<double>>& at_support() const { return at_support_; }
-  /// Returns the shares for the dual z. `y` are its Cartesian values (collective).
-  EdgeShares shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const;
+  /// Returns the shares for a dual solution. `y` are its Cartesian values (collective).
+  EdgeShares shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y) const;
 
  private:
-  struct Reactions {
-    std::vector<double> mu, eta;  ///< by local node and obstacle, per unit area
+  struct Dual {
+    const Derivative& derivative;
+    const algebra::Vector& y;
+    std::vector<double> mu{};         ///< its reactions by local node and obstacle, per unit area
+    std::vector<double> positions{};  ///< of all obstacles along their forces
+  };
+  /// The two products at a point (contact_edge.cc).
+  struct Products {
+    double penetration = 0, reach = 0;
+    double larger() const { return std::max(std::abs(penetration), std::abs(reach)); }
   };
   /// A point of a crossed cell next to a touching node, where the shell is deepest inside the obstacle.
   struct Deepest {
@@ -68,12 +79,12 @@ class ContactEdge {
   /// The shell's gaps at points of a cell, with their rows.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
                                                      const element::BasisAt& at) const;
-  std::vector<double> line_shares(const Derivative& derivative, const algebra::Vector& y,
-                                  const Reactions& reactions) const;
+  Products products(const Dual& dual, std::size_t obstacle, const obstacle::Gap& gap, double mu, double eta,
+                    double opened, double opened_by_dual) const;
+  std::vector<double> line_shares(const Dual& dual) const;
   std::vector<double> densities(const algebra::Vector& multiplier) const;
   void extend_to_held_nodes(std::size_t cell, std::size_t obstacle, Eigen::MatrixXd& densities) const;
-  double share(std::size_t cell, std::size_t obstacle, const Derivative& derivative, const element::CellField& z,
-               const Reactions& reactions) const;
+  double share(std::size_t cell, std::size_t obstacle, const Dual& dual) const;
   bool touches(std::size_t node, std::size_t obstacle) const { return width_->touches(node, obstacle); }
   /// Whether all touching nodes of a cell lie on a rim that carries a line reaction.
   bool stands_on_rim(std::size_t cell, std::size_t obstacle) const;
@@ -82,7 +93,8 @@ class ContactEdge {
   void find_rim();
 
   const Solved& solved_;
-  std::vector<double> eta_{};
+  std::vector<double> eta_{};       ///< the solution's reactions by local node and obstacle, per unit area
+  std::vector<char> is_pressed_{};  ///< by obstacle: a force presses it
   std::optional<solution::ContactWidth> width_{};  ///< empty without obstacles
   std::vector<std::size_t> crossed_{}, touching_nodes_{};
   std::vector<int> across_{};

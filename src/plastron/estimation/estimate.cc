@@ -101,9 +101,9 @@ class GoalEstimator {
 
  private:
   /// Adds the dual estimate. Returns the shares of the contact zone's edge.
-  EdgeShares add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
-    algebra::Vector y(z.layout(), 6);
-    solved_.discrete.coordinates.to_cartesian(z, y);
+  EdgeShares add_dual(const Derivative& d, const DualSolution& z, GoalEstimate& result) {
+    algebra::Vector y(z.z.layout(), 6);
+    solved_.discrete.coordinates.to_cartesian(z.z, y);
     result.dual_energy = solved_.discrete.motion_energies(y).total();
     const AllErrors dual = strain_errors_.of_motion(y);
     add_dual_shares(solved_.discrete.shell, primal_, dual, result.cells);
