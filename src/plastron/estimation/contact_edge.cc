@@ -35,6 +35,18 @@ double opening(const assembly::DiscreteShell& discrete, const obstacle::Gap& gap
          gap.arm * gap.normal.dot(discrete.has_finite_rotations() ? r : geometry::tangential(r, a3));
 }
 
+/// Lifts of bounds at points of a cell, interpolated from the nodes on which the cell depends.
+Eigen::VectorXd interpolated_lifts(const assembly::DiscreteShell& discrete, std::size_t cell, std::size_t obstacle,
+                                   const element::BasisAt& at) {
+  if (!discrete.state.is_admissible()) return Eigen::VectorXd::Zero(at.value.rows());
+  const fem::Space& space = discrete.space();
+  const auto [nodes, basis] = space.continuity.on_sources(space.nodes(cell), at.value);
+  Eigen::VectorXd lifts(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    lifts[static_cast<Eigen::Index>(i)] = discrete.state.lift(static_cast<std::size_t>(nodes[i]), obstacle);
+  return basis * lifts;
+}
+
 }  // namespace
 
 ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
@@ -280,11 +292,13 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& du
   const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
   const element::CellField z = shell.interpolation().values(cell, at, shell.gather(cell, dual.y));
   const element::CellField moved = discrete.state_values(cell, at);
+  const Eigen::VectorXd lifts = interpolated_lifts(discrete, cell, obstacle, at);
   Products sum;
   for (int q = 0; q < u.rows(); ++q) {
     const assembly::QuadraturePoint& p = shell.point(cell, q);
     obstacle::Gap gap = discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3,
                                                                     p.thickness, moved.row(q).transpose()));
+    gap.initial -= lifts[q];  // LiftedBounds counts them
     const Products here =
         products(dual, obstacle, gap, p.area * density(q, 0), p.area * density(q, 1),
                  opening(discrete, gap, u.row(q), p.frame.a3), opening(discrete, gap, z.row(q), p.frame.a3));
