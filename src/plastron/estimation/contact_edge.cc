@@ -80,6 +80,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       at_support_.push_back(place_at_support(cell, k, across_.back()));
       break;
     }
+  find_sharp_edges();
   find_deepest();
 }
 
@@ -144,6 +145,100 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
   return result;
 }
 
+std::vector<Eigen::Vector2d> ContactEdge::sharp_edges(std::size_t cell, std::size_t obstacle, std::size_t direction,
+                                                      std::size_t i, std::size_t j) const {
+  constexpr double least_cosine = 0.7;  // between normals of one side
+  constexpr int halvings = 12;
+  const fem::Space& space = solved_.discrete.space();
+  const std::vector<double> line = mesh::gauss_lobatto(space.degree + 1).points;
+  const auto node =
+      static_cast<std::size_t>(space.nodes(cell)[direction == 0 ? j * line.size() + i : i * line.size() + j]);
+  const Eigen::Vector3d& normal = solved_.discrete.coordinates.gaps[obstacle][node].normal;
+  const auto place = [&](double along) {
+    Eigen::Vector2d xi(line[j], line[j]);
+    xi[static_cast<Eigen::Index>(direction)] = along;
+    return xi;
+  };
+  const auto is_on_other_side = [&](double along) {
+    const element::BasisAt point = element::basis_at(space.shape(), space.degree, {place(along)});
+    return gaps(cell, obstacle, point).front().second.normal.dot(normal) < least_cosine;
+  };
+  const bool at_node = is_on_other_side(line[i]);
+  std::vector<Eigen::Vector2d> edges;
+  for (const std::size_t next : {i - 1, i + 1}) {  // 0 - 1 is beyond the last one
+    if (next >= line.size()) continue;
+    double before = line[i];
+    for (int s = 1; s <= samples; ++s) {
+      double after = line[i] + (line[next] - line[i]) * s / (samples + 1);
+      if (is_on_other_side(after) == at_node) {
+        before = after;
+        continue;
+      }
+      for (int h = 0; h < halvings; ++h) {
+        const double middle = (before + after) / 2;
+        (is_on_other_side(middle) == at_node ? before : after) = middle;
+      }
+      edges.push_back(place((before + after) / 2));
+      break;
+    }
+  }
+  return edges;
+}
+
+// Beyond a sharp edge the distance is that to another side of the body, and no gap. The node's own gap keeps the edge outside of its
+// tangent plane, wherever it is (obstacle/gap.cc). But its reaction acts at the node: eta (B z - w) at the edge remains.
+void ContactEdge::find_sharp_edges() {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const fem::Space& space = discrete.space();
+  const std::size_t obstacles = discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
+  sharp_ = algebra::Vector(space.layout, static_cast<int>(obstacles));
+  if (space.shape() != mesh::Shape::quadrilateral) return;
+  const algebra::Vector with_area = width_->with_area();
+  algebra::Vector cells = sharp_;
+  for (std::size_t c = 0; c < crossed_.size(); ++c)
+    for (std::size_t k = 0; k < obstacles; ++k) {
+      if (!discrete.obstacles.all[k].has_edges() || stands_on_rim(crossed_[c], k)) continue;
+      const auto nodes = space.nodes(crossed_[c]);
+      const auto d = static_cast<std::size_t>(width_->direction_across(crossed_[c], k));
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+          const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
+          const std::size_t entry = node * obstacles + k;
+          if (!touches(node, k) || with_area.local()[entry] > 0) continue;
+          auto edges = sharp_edges(crossed_[c], k, d, i, j);
+          if (edges.empty()) continue;
+          at_sharp_edges_.push_back({c, k, node, std::move(edges)});
+          cells.local()[entry] += 1;
+        }
+    }
+  cells.accumulate_ghosts();
+  cells.update_ghosts();
+  sharp_ = cells;
+  for (AtSharpEdge& at : at_sharp_edges_) at.part = 1 / cells.local()[at.node * obstacles + at.obstacle];
+}
+
+// The gap at the edge is 0, so w of the energy is minus the opening by u_h there.
+double ContactEdge::reach_at(const AtSharpEdge& at, const Dual& dual) const {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const std::size_t cell = crossed_[at.crossed];
+  const obstacle::Gap& gap = discrete.coordinates.gaps[at.obstacle][at.node];
+  const element::BasisAt points = element::basis_at(discrete.space().shape(), discrete.space().degree, at.edges);
+  std::vector<geometry::Frame> frames(at.edges.size());
+  discrete.shell.surface().frames(discrete.space().cells[cell], at.edges, frames, false);
+  std::vector<double> moved(at.edges.size(), 0);
+  const auto add = [&](const algebra::Vector& y) {
+    const element::CellField field =
+        discrete.shell.interpolation().values(cell, points, discrete.shell.gather(cell, y));
+    const assembly::Vector6 own = assembly::node_values(y, at.node);
+    for (std::size_t p = 0; p < moved.size(); ++p)
+      moved[p] += opening(discrete, gap, field.row(static_cast<Eigen::Index>(p)), frames[p].a3) -
+                  opening(discrete, gap, own.transpose(), discrete.points[at.node].a3);
+  };
+  add(dual.y);
+  if (dual.derivative.weighs_gaps) add(solved_.nodal.y);
+  return std::max(*std::ranges::max_element(moved), -*std::ranges::min_element(moved));
+}
+
 void ContactEdge::find_deepest() {
   const fem::Space& space = solved_.discrete.space();
   if (space.shape() != mesh::Shape::quadrilateral) return;
@@ -161,7 +256,7 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0) continue;
+          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0 || is_at_sharp_edge(node, k)) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
@@ -208,6 +303,10 @@ std::vector<double> ContactEdge::line_shares(const Dual& dual) const {
     lines[at.crossed] += products(dual, at.obstacle, gap, weight * dual.mu[entry], weight * eta_[entry],
                                   at.gap - gap.initial, opening(discrete, gap, z.row(0), frame.a3))
                              .larger();
+  }
+  for (const AtSharpEdge& at : at_sharp_edges_) {
+    const double eta = eta_[at.node * discrete.obstacles.all.size() + at.obstacle];
+    lines[at.crossed] += at.part * discrete.points[at.node].side_weight * std::abs(eta) * reach_at(at, dual);
   }
   return lines;
 }
@@ -282,8 +381,12 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& du
   if (stands_on_rim(cell, obstacle)) return 0;  // a line reaction is no density
   Eigen::MatrixXd densities(space.nodes_per_cell(), 2);
   for (int i = 0; i < space.nodes_per_cell(); ++i) {
-    const std::size_t node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]) * obstacles;
-    densities.row(i) << dual.mu[node + obstacle], eta_[node + obstacle];
+    const auto node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]);
+    const std::size_t entry = node * obstacles + obstacle;
+    if (is_at_sharp_edge(node, obstacle))
+      densities.row(i).setZero();  // a line reaction, too
+    else
+      densities.row(i) << dual.mu[entry], eta_[entry];
   }
   extend_to_held_nodes(cell, obstacle, densities);
   const Eigen::MatrixXd density = reaction_basis_ * densities;

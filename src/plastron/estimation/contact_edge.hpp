@@ -70,6 +70,20 @@ class ContactEdge {
     double part = 1;      ///< part of the node's reaction in this cell; other cells have the rest
     bool on_line = true;  ///< true in a zone without area
   };
+  /// A touching node at a line or point of contact with a sharp edge of an obstacle, in one of its crossed cells.
+  struct AtSharpEdge {
+    std::size_t crossed = 0, obstacle = 0, node = 0;
+    std::vector<Eigen::Vector2d> edges{};  ///< places of the edge in the cell, on either side of the node
+    double part = 1;                       ///< part of the node's reaction in this cell
+  };
+  void find_sharp_edges();
+  bool is_at_sharp_edge(std::size_t node, std::size_t obstacle) const {
+    return sharp_.local()[node * static_cast<std::size_t>(sharp_.block()) + obstacle] > 0;
+  }
+  /// The places where the obstacle's normal turns sharply, between node i of line j along a direction and its neighbours.
+  std::vector<Eigen::Vector2d> sharp_edges(std::size_t cell, std::size_t obstacle, std::size_t direction, std::size_t i,
+                                           std::size_t j) const;
+  double reach_at(const AtSharpEdge& at, const Dual& dual) const;
   void find_deepest();
   void find_held();
   bool is_held(std::size_t node, std::size_t obstacle) const;
@@ -105,6 +119,8 @@ class ContactEdge {
   std::vector<std::pair<std::size_t, int>> rim_sides_{};  ///< sides of owned cells on the rim; likewise
   Eigen::MatrixXd reaction_basis_;
   std::array<element::BasisAt, 2> between_{};  ///< points between nodes along either direction; empty in triangles
+  algebra::Vector sharp_{};  ///< positive at lines and points of contact with sharp edges (block: obstacles)
+  std::vector<AtSharpEdge> at_sharp_edges_{};
   std::vector<Deepest> deepest_{};
 };
 
