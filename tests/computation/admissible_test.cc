@@ -187,6 +187,24 @@ TEST(AdmissibleSolution, HasErrorsThatContainTheChangeByItsLifts) {
   }
 }
 
+TEST(AdmissibleSolution, NamesLiftsThatChangeMuchOfTheEnergy) {
+  int named = 0, all = 0;
+  for (auto& [name, problem] : problems()) {
+    problem.discretisation.refinements = 0;
+    const Result lifted = solved(problem, true);
+    if (lifted.status != contact::Status::solved) continue;
+    const Level& level = lifted.last_level();
+    const bool is_much = std::abs(level.energy - level.energy_before_lifts) > 0.1 * level.energy;
+    const auto warning = HasSubstr("admissible = true lifts bounds");
+    EXPECT_EQ(std::ranges::any_of(lifted.warnings, [&](const auto& w) { return testing::Value(w, warning); }), is_much)
+        << name;
+    named += is_much ? 1 : 0;
+    ++all;
+  }
+  EXPECT_GT(named, 0);
+  EXPECT_LT(named, all);
+}
+
 TEST(AdmissibleSolution, CostsNoMoreThanTheLiftWorkSays) {
   for (const problem::Problem& problem : {with(pressed_bowl(), 1, 2), with(pressed_bowl(), 2, 2),
                                           with(between_planes(), 2, 1), bowl(element::Formulation::mixed)}) {
