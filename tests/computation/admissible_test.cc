@@ -167,6 +167,44 @@ TEST(AdmissibleSolution, IsOutOfTheObstaclesBetweenItsNodesAndIsVerified) {
   }
 }
 
+// Nothing else in the estimates shows lifts: the same mesh without them has other numbers, and either may be nearer to the exact ones.
+TEST(AdmissibleSolution, HasErrorsThatContainTheChangeByItsLifts) {
+  std::vector<Named> all = problems();
+  for (problem::Problem p : {with(pressed_bowl(), 2, 1), with(on_ball(), 2, 1)}) {
+    p.shell.rotations = element::Rotations::finite;
+    all.push_back({"finite rotations", p});
+  }
+  for (const auto& [name, problem] : all) {
+    const Result without = solved(problem, false), lifted = solved(problem, true);
+    ASSERT_TRUE(without.estimates && lifted.estimates) << name;
+    for (std::size_t g = 0; g < lifted.estimates->goals.size(); ++g) {
+      const estimation::GoalEstimate &before = without.estimates->goals[g], &goal = lifted.estimates->goals[g];
+      const double change = std::abs(goal.value - before.value);
+      if (change < 1e-9 * goal.value) continue;  // a given force alone is the reaction
+      EXPECT_GT(goal.error(), change / 2) << name << ": " << goal.name;
+      EXPECT_LT(goal.error(), 4 * (change + before.error())) << name << ": " << goal.name;
+    }
+  }
+}
+
+TEST(AdmissibleSolution, NamesLiftsThatChangeMuchOfTheEnergy) {
+  int named = 0, all = 0;
+  for (auto& [name, problem] : problems()) {
+    problem.discretisation.refinements = 0;
+    const Result lifted = solved(problem, true);
+    if (lifted.status != contact::Status::solved) continue;
+    const Level& level = lifted.last_level();
+    const bool is_much = std::abs(level.energy - level.energy_before_lifts) > 0.1 * level.energy;
+    const auto warning = HasSubstr("admissible = true lifts bounds");
+    EXPECT_EQ(std::ranges::any_of(lifted.warnings, [&](const auto& w) { return testing::Value(w, warning); }), is_much)
+        << name;
+    named += is_much ? 1 : 0;
+    ++all;
+  }
+  EXPECT_GT(named, 0);
+  EXPECT_LT(named, all);
+}
+
 TEST(AdmissibleSolution, CostsNoMoreThanTheLiftWorkSays) {
   for (const problem::Problem& problem : {with(pressed_bowl(), 1, 2), with(pressed_bowl(), 2, 2),
                                           with(between_planes(), 2, 1), bowl(element::Formulation::mixed)}) {

@@ -7,9 +7,12 @@
 #include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "estimation/solved_shell.hpp"
@@ -51,6 +54,14 @@ Derivative of_the_solution(const SolvedShell& plate) {
   Derivative derivative = zero_derivative(plate.solved());
   derivative.dual.load = plate.box().load;
   return derivative;
+}
+
+/// The dual of a multiple of the load.
+DualSolution multiple(double factor, const SolvedShell& plate) {
+  DualSolution dual{.z = plate.solution().z, .multiplier = plate.solution().multiplier};
+  for (algebra::Vector* each : {&dual.z, &dual.multiplier})
+    for (double& value : each->local()) value *= factor;
+  return dual;
 }
 
 /// int p g and int p w over a cell, p the pressure between nodes, g the gap, w the deflection, by an own rule.
@@ -100,7 +111,7 @@ TEST_P(AStraightEdge, CrossesOneRowOfCellsWithEqualShares) {
   const ContactEdge edge(solved);
   ASSERT_EQ(edge.crossed().size(), static_cast<std::size_t>(rows));
   EXPECT_TRUE(std::ranges::is_sorted(edge.crossed()));
-  const EdgeShares shares = edge.shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
+  const EdgeShares shares = edge.shares(of_the_solution(plate), multiple(1, plate), plate.nodal().y);
   ASSERT_EQ(shares.all.size(), edge.crossed().size());
   for (std::size_t i = 0; i < edge.crossed().size(); ++i) {
     EXPECT_EQ(edge.across()[i], is_turned ? 1 : 0);
@@ -118,13 +129,13 @@ TEST_P(AStraightEdge, HasTheIntegralsOfPressureTimesGapAndTimesDeflectionAsShare
   const Solved solved = plate.solved();
   const ContactEdge edge(solved);
   ASSERT_EQ(edge.crossed().size(), 2U);
-  const EdgeShares shares = edge.shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
+  const EdgeShares shares = edge.shares(of_the_solution(plate), multiple(1, plate), plate.nodal().y);
   Derivative of_force = of_the_solution(plate);  // here the dual's deflection is compared with -1 at the table
   of_force.force_direction = Eigen::Vector3d::UnitZ();
   Derivative of_energy = of_the_solution(plate);  // with both reactions, and compared with the initial gap
   of_energy.weighs_gaps = true;
-  const EdgeShares forces = edge.shares(of_force, plate.solution().z, plate.nodal().y),
-                   energies = edge.shares(of_energy, plate.solution().z, plate.nodal().y);
+  const EdgeShares forces = edge.shares(of_force, multiple(1, plate), plate.nodal().y),
+                   energies = edge.shares(of_energy, multiple(1, plate), plate.nodal().y);
   for (std::size_t i = 0; i < 2; ++i) {
     const Integrals sum = integrals(plate, edge.crossed()[i]);
     EXPECT_GT(std::abs(sum.gap), 0);
@@ -146,13 +157,11 @@ TEST_P(AStraightEdge, HasTheIntegralOfTheDualsReactionTimesGapAsShare) {
   ASSERT_EQ(edge.crossed().size(), 2U);
   Derivative twice = of_the_solution(plate);
   algebra::axpy(1, plate.box().load, twice.dual.load);
-  algebra::Vector z = plate.solution().z, y(plate.nodal().y.layout(), 6);
-  algebra::axpy(1, plate.solution().z, z);
-  z.update_ghosts();
-  const EdgeShares shares = edge.shares(twice, z, y);
+  algebra::Vector y(plate.nodal().y.layout(), 6);
+  const EdgeShares shares = edge.shares(twice, multiple(2, plate), y);
   twice.weighs_gaps = true;  // the dual is fixed at the initial gap, and both reactions count
   for (std::size_t i = 2; i < y.local().size(); i += 6) y.local()[i] = sag;
-  const EdgeShares energies = edge.shares(twice, z, y);
+  const EdgeShares energies = edge.shares(twice, multiple(2, plate), y);
   for (std::size_t i = 0; i < 2; ++i) {
     const Integrals sum = integrals(plate, edge.crossed()[i]);
     const double rounding = 1e-9 * std::abs(sum.deflection);
@@ -167,12 +176,59 @@ TEST_P(AStraightEdge, HasTheSameSumOfSharesWithMoreCellsAlongIt) {
   const auto sum = [&](int rows) {
     const SolvedShell plate = lying_plate(given.degree, rows, given.is_turned);
     const Solved solved = plate.solved();
-    const EdgeShares shares = ContactEdge(solved).shares(of_the_solution(plate), plate.solution().z, plate.nodal().y);
+    const EdgeShares shares = ContactEdge(solved).shares(of_the_solution(plate), multiple(1, plate), plate.nodal().y);
     return std::accumulate(shares.all.begin(), shares.all.end(), 0.0);
   };
   const double coarse = sum(2);
   EXPECT_GT(coarse, 0);
   EXPECT_NEAR(sum(3), coarse, 1e-6 * coarse);
+}
+
+struct Pressed {
+  std::string name;
+  mesh::Shape cells = mesh::Shape::quadrilateral;
+  int degree = 2;
+  element::Formulation formulation = element::Formulation::tangent;
+};
+void PrintTo(const Pressed& pressed, std::ostream* out) { *out << pressed.name; }
+
+class APressedObstacle : public testing::TestWithParam<Pressed> {};
+INSTANTIATE_TEST_SUITE_P(
+    Each, APressedObstacle,
+    testing::Values(Pressed{"degree 1", mesh::Shape::quadrilateral, 1}, Pressed{"degree 2"},
+                    Pressed{"degree 3", mesh::Shape::quadrilateral, 3},
+                    Pressed{"degree 4", mesh::Shape::quadrilateral, 4},
+                    Pressed{"triangles, degree 1", mesh::Shape::triangle, 1},
+                    Pressed{"triangles, degree 2", mesh::Shape::triangle, 2},
+                    Pressed{"penalised", mesh::Shape::quadrilateral, 2, element::Formulation::penalised},
+                    Pressed{"mixed", mesh::Shape::quadrilateral, 2, element::Formulation::mixed},
+                    Pressed{"classical", mesh::Shape::quadrilateral, 2, element::Formulation::classical}));
+
+// A small force on a curved obstacle or shell: between nodes the gap is that of the undeformed shapes, much more than any
+// displacement. The obstacle follows the shell, so numbers and errors are proportional to the force and its square.
+TEST_P(APressedObstacle, HasRelativeErrorsThatDoNotDependOnASmallForce) {
+  const Pressed& given = GetParam();
+  const auto relative = [&](const obstacle::Shape& shape, const std::array<std::string, 3>& chart, double force) {
+    assembly::ShellDescription shell{.sections = plastron::test::steel_of(geometry::Expression(thickness)),
+                                     .supports = {plastron::test::clamp("left"), plastron::test::clamp("right")}};
+    shell.tangency.formulation = given.formulation;
+    shell.obstacles.all = {{.shape = shape, .face = obstacle::Face::upper, .force = {0, 0, -force}}};
+    SolvedShell solved(plastron::test::meshed(domain::Rectangle{.cells = {5, 5}}, chart, given.degree, 0, given.cells),
+                       shell);
+    EXPECT_GT(std::ranges::count(solved.nodal().touching.owned(), 1.0), 0);
+    const Estimates estimates = solved.estimates({{"energy", Energy{}}, {"sunk", ObstaclePosition{0}}});
+    std::vector<double> errors;
+    for (const GoalEstimate& goal : estimates.goals) errors.push_back(goal.error() / std::abs(goal.value));
+    return errors;
+  };
+  const obstacle::Shape ball = obstacle::Ball{.centre = {0.47, 0.52, 1.5}, .radius = 0.7},
+                        plane = obstacle::HalfSpace{.point = {0, 0, 1.5}, .normal = {0, 0, -1}};
+  const std::array<std::string, 3> dome{"x", "y", "0.5 - 0.2*((x - 0.47)^2 + (y - 0.52)^2)"};
+  for (const auto& [shape, chart] : {std::pair(ball, plastron::test::flat), std::pair(plane, dome)}) {
+    const std::vector<double> small = relative(shape, chart, 1e-10), smaller = relative(shape, chart, 1e-12);
+    EXPECT_NEAR(smaller[0], small[0], 1e-3 * small[0]);
+    EXPECT_LT(smaller[0], 1);
+  }
 }
 
 TEST(AnEdge, CrossesNoCellWithoutObstacle) {

@@ -213,12 +213,13 @@ Solution Sensitivity::near(const problem::Problem& changed) const {
   for (int step = 0;; ++step) {
     const CoordinateChange change = changed_coordinates(solved, z, discrete);
     if (step == 0) change.apply(z.z);
-    auto way = tangent_.solve(rest_of(box_of(discrete, solution_.nodal, algebra_->A), z, change));
-    if (!way) refuse("where the linear equations cannot be solved");
-    change.apply(*way);
-    way->update_ghosts();
+    auto found = tangent_.solve(rest_of(box_of(discrete, solution_.nodal, algebra_->A), z, change));
+    if (!found) refuse("where the linear equations cannot be solved");
+    algebra::Vector& way = found->z;
+    change.apply(way);
+    way.update_ghosts();
     algebra::Vector motion(discrete.space().layout, 6);
-    discrete.coordinates.to_cartesian(*way, motion);
+    discrete.coordinates.to_cartesian(way, motion);
     const double length = length_of(motion, solved.points);
     if (!(length <= far * size) || step > most_steps)
       refuse("for so large a change of the case, or where the solution is nearly unstable");
@@ -228,7 +229,7 @@ Solution Sensitivity::near(const problem::Problem& changed) const {
       next.displacement.update_ghosts();
       assembly::linearise(discrete, std::move(next));
     } else {
-      algebra::axpy(1, *way, z.z);
+      algebra::axpy(1, way, z.z);
     }
     if (length <= tolerance * size || (length <= rounding * size && length > last / 2)) break;
     last = length;

@@ -78,6 +78,20 @@ std::string penetration_text(double depth, double part) {
       depth, 100 * part);
 }
 
+/// Returns a warning if lifts of bounds (admissible) change much of the energy.
+std::vector<std::string> lift_warnings(const Result& result) {
+  constexpr double notable = 0.1;
+  const solution::Summary& s = result.summary;
+  if (!s.is_admissible_wanted || result.levels.empty() || s.is_unstrained) return {};
+  const Level& level = result.last_level();
+  const double part = std::abs(level.energy - level.energy_before_lifts) / level.energy;
+  if (!(part > notable)) return {};
+  return {fmt::format(
+      "admissible = true lifts bounds at nodes by up to {:.2g} m, and {:.0f} % of the energy is due to these lifts; "
+      "refine the mesh or raise the degree",
+      s.largest_lift, 100 * part)};
+}
+
 /// Returns one warning for each obstacle that the shell touches along lines inside.
 std::vector<std::string> line_contact_warnings(const solution::Summary& summary) {
   constexpr double notable = 0.01;  // part of the obstacle's reaction
@@ -325,6 +339,7 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
   const double depth = -result.certificate.min_gap_between, part = depth / s.least_thickness;
   if (std::isfinite(depth) && s.touching_nodes > 0 && part > notable_depth)
     warnings.push_back(penetration_text(depth, part));
+  for (std::string& text : lift_warnings(result)) warnings.push_back(std::move(text));
   if (s.edge.is_line())
     warnings.push_back(
         fmt::format("the shell stands on its edge: {:.4g} N of the reaction are concentrated on it, up to {:.4g} N/m; "

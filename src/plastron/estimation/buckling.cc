@@ -28,7 +28,8 @@ algebra::Vector cartesian(const Solved& solved, const algebra::Vector& z) {
 
 /// A^-1 of forces, with fixed coordinates at 0.
 std::optional<algebra::Vector> response(DualSolver& solver, const algebra::Vector& forces) {
-  return solver.solve({.load = forces, .fixed = algebra::Vector(forces.layout(), forces.block())});
+  auto found = solver.solve({.load = forces, .fixed = algebra::Vector(forces.layout(), forces.block())});
+  return found ? std::optional(std::move(found->z)) : std::nullopt;
 }
 
 /// Forces without symmetry or pattern, the same on any number of ranks.

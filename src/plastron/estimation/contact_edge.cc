@@ -1,13 +1,11 @@
 #include <plastron/estimation/contact_edge.hpp>
 
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/solution/contact_faces.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace plastron::estimation {
 
@@ -37,6 +35,18 @@ double opening(const assembly::DiscreteShell& discrete, const obstacle::Gap& gap
          gap.arm * gap.normal.dot(discrete.has_finite_rotations() ? r : geometry::tangential(r, a3));
 }
 
+/// Lifts of bounds at points of a cell, interpolated from the nodes on which the cell depends.
+Eigen::VectorXd interpolated_lifts(const assembly::DiscreteShell& discrete, std::size_t cell, std::size_t obstacle,
+                                   const element::BasisAt& at) {
+  if (!discrete.state.is_admissible()) return Eigen::VectorXd::Zero(at.value.rows());
+  const fem::Space& space = discrete.space();
+  const auto [nodes, basis] = space.continuity.on_sources(space.nodes(cell), at.value);
+  Eigen::VectorXd lifts(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    lifts[static_cast<Eigen::Index>(i)] = discrete.state.lift(static_cast<std::size_t>(nodes[i]), obstacle);
+  return basis * lifts;
+}
+
 }  // namespace
 
 ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
@@ -47,6 +57,8 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
   width_.emplace(discrete, solution::contact_faces(discrete, solved.nodal).touching);
   if (solution::edge_contact(discrete, solved.nodal).is_line()) find_rim();
   eta_ = densities(solved.z.multiplier);
+  is_pressed_.assign(obstacles, 0);
+  for (const std::size_t k : assembly::pressed_obstacles(discrete)) is_pressed_[k] = 1;
   find_held();
   reaction_basis_ = element::reaction_basis_at(space.shape(), space.degree, discrete.shell.tables().quadrature.xi);
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell)
@@ -68,6 +80,7 @@ ContactEdge::ContactEdge(const Solved& solved) : solved_(solved) {
       at_support_.push_back(place_at_support(cell, k, across_.back()));
       break;
     }
+  find_sharp_edges();
   find_deepest();
 }
 
@@ -132,6 +145,100 @@ std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell
   return result;
 }
 
+std::vector<Eigen::Vector2d> ContactEdge::sharp_edges(std::size_t cell, std::size_t obstacle, std::size_t direction,
+                                                      std::size_t i, std::size_t j) const {
+  constexpr double least_cosine = 0.7;  // between normals of one side
+  constexpr int halvings = 12;
+  const fem::Space& space = solved_.discrete.space();
+  const std::vector<double> line = mesh::gauss_lobatto(space.degree + 1).points;
+  const auto node =
+      static_cast<std::size_t>(space.nodes(cell)[direction == 0 ? j * line.size() + i : i * line.size() + j]);
+  const Eigen::Vector3d& normal = solved_.discrete.coordinates.gaps[obstacle][node].normal;
+  const auto place = [&](double along) {
+    Eigen::Vector2d xi(line[j], line[j]);
+    xi[static_cast<Eigen::Index>(direction)] = along;
+    return xi;
+  };
+  const auto is_on_other_side = [&](double along) {
+    const element::BasisAt point = element::basis_at(space.shape(), space.degree, {place(along)});
+    return gaps(cell, obstacle, point).front().second.normal.dot(normal) < least_cosine;
+  };
+  const bool at_node = is_on_other_side(line[i]);
+  std::vector<Eigen::Vector2d> edges;
+  for (const std::size_t next : {i - 1, i + 1}) {  // 0 - 1 is beyond the last one
+    if (next >= line.size()) continue;
+    double before = line[i];
+    for (int s = 1; s <= samples; ++s) {
+      double after = line[i] + (line[next] - line[i]) * s / (samples + 1);
+      if (is_on_other_side(after) == at_node) {
+        before = after;
+        continue;
+      }
+      for (int h = 0; h < halvings; ++h) {
+        const double middle = (before + after) / 2;
+        (is_on_other_side(middle) == at_node ? before : after) = middle;
+      }
+      edges.push_back(place((before + after) / 2));
+      break;
+    }
+  }
+  return edges;
+}
+
+// Beyond a sharp edge the distance is that to another side of the body, and no gap. The node's own gap keeps the edge outside of its
+// tangent plane, wherever it is (obstacle/gap.cc). But its reaction acts at the node: eta (B z - w) at the edge remains.
+void ContactEdge::find_sharp_edges() {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const fem::Space& space = discrete.space();
+  const std::size_t obstacles = discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
+  sharp_ = algebra::Vector(space.layout, static_cast<int>(obstacles));
+  if (space.shape() != mesh::Shape::quadrilateral) return;
+  const algebra::Vector with_area = width_->with_area();
+  algebra::Vector cells = sharp_;
+  for (std::size_t c = 0; c < crossed_.size(); ++c)
+    for (std::size_t k = 0; k < obstacles; ++k) {
+      if (!discrete.obstacles.all[k].has_edges() || stands_on_rim(crossed_[c], k)) continue;
+      const auto nodes = space.nodes(crossed_[c]);
+      const auto d = static_cast<std::size_t>(width_->direction_across(crossed_[c], k));
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+          const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
+          const std::size_t entry = node * obstacles + k;
+          if (!touches(node, k) || with_area.local()[entry] > 0) continue;
+          auto edges = sharp_edges(crossed_[c], k, d, i, j);
+          if (edges.empty()) continue;
+          at_sharp_edges_.push_back({c, k, node, std::move(edges)});
+          cells.local()[entry] += 1;
+        }
+    }
+  cells.accumulate_ghosts();
+  cells.update_ghosts();
+  sharp_ = cells;
+  for (AtSharpEdge& at : at_sharp_edges_) at.part = 1 / cells.local()[at.node * obstacles + at.obstacle];
+}
+
+// The gap at the edge is 0, so w of the energy is minus the opening by u_h there.
+double ContactEdge::reach_at(const AtSharpEdge& at, const Dual& dual) const {
+  const assembly::DiscreteShell& discrete = solved_.discrete;
+  const std::size_t cell = crossed_[at.crossed];
+  const obstacle::Gap& gap = discrete.coordinates.gaps[at.obstacle][at.node];
+  const element::BasisAt points = element::basis_at(discrete.space().shape(), discrete.space().degree, at.edges);
+  std::vector<geometry::Frame> frames(at.edges.size());
+  discrete.shell.surface().frames(discrete.space().cells[cell], at.edges, frames, false);
+  std::vector<double> moved(at.edges.size(), 0);
+  const auto add = [&](const algebra::Vector& y) {
+    const element::CellField field =
+        discrete.shell.interpolation().values(cell, points, discrete.shell.gather(cell, y));
+    const assembly::Vector6 own = assembly::node_values(y, at.node);
+    for (std::size_t p = 0; p < moved.size(); ++p)
+      moved[p] += opening(discrete, gap, field.row(static_cast<Eigen::Index>(p)), frames[p].a3) -
+                  opening(discrete, gap, own.transpose(), discrete.points[at.node].a3);
+  };
+  add(dual.y);
+  if (dual.derivative.weighs_gaps) add(solved_.nodal.y);
+  return std::max(*std::ranges::max_element(moved), -*std::ranges::min_element(moved));
+}
+
 void ContactEdge::find_deepest() {
   const fem::Space& space = solved_.discrete.space();
   if (space.shape() != mesh::Shape::quadrilateral) return;
@@ -149,7 +256,7 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0) continue;
+          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0 || is_at_sharp_edge(node, k)) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
@@ -165,25 +272,41 @@ void ContactEdge::find_deepest() {
   for (Deepest& at : deepest_) at.part = -at.gap / depths.local()[at.node * obstacles + at.obstacle];
 }
 
-std::vector<double> ContactEdge::line_shares(const Derivative& derivative, const algebra::Vector& y,
-                                             const Reactions& reactions) const {
+// An obstacle at rest: mu g(u_h), for the energy with eta, and eta (B z - w). The obstacle of a force moves by z, too. The energy's
+// term eta g(u_h) and the gap in w are large and cancel where only the position of the obstacle is wrong, so they are one term there.
+ContactEdge::Products ContactEdge::products(const Dual& dual, std::size_t obstacle, const obstacle::Gap& gap, double mu,
+                                            double eta, double opened, double opened_by_dual) const {
+  const double depth = gap.initial + opened;
+  double reach = opened_by_dual - dual.derivative.held_at(obstacle, gap);
+  if (is_pressed_[obstacle] == 0)
+    return {.penetration = (dual.derivative.weighs_gaps ? mu + eta : mu) * depth, .reach = eta * reach};
+  reach -= dual.positions[obstacle] * gap.normal.dot(solved_.discrete.obstacles.all[obstacle].force.normalized());
+  if (dual.derivative.weighs_gaps) reach += depth;
+  return {.penetration = mu * depth, .reach = eta * reach};
+}
+
+std::vector<double> ContactEdge::line_shares(const Dual& dual) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
   std::vector<double> lines(crossed_.size(), 0);
   for (const Deepest& at : deepest_) {
     // Energies change only with the square of the edge's error.
-    if (!at.on_line && derivative.weighs_gaps) continue;
+    if (!at.on_line && dual.derivative.weighs_gaps) continue;
     const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
     const element::BasisAt point = element::basis_at(mesh::Shape::quadrilateral, discrete.space().degree, {xi});
     const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
     const geometry::Frame frame = discrete.shell.surface().frame(discrete.space().cells[cell], xi, false);
-    const element::CellField z = discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, y));
+    const element::CellField z =
+        discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, dual.y));
     const double weight = at.part * discrete.points[at.node].side_weight;
-    const double mu = weight * (reactions.mu[entry] + (derivative.weighs_gaps ? reactions.eta[entry] : 0));
-    const double eta = weight * reactions.eta[entry];
-    const double reach = opening(discrete, gap, z.row(0), frame.a3) - derivative.held_at(at.obstacle, gap);
-    lines[at.crossed] += std::max(std::abs(mu * at.gap), solved_.box.pressing.empty() ? std::abs(eta * reach) : 0.0);
+    lines[at.crossed] += products(dual, at.obstacle, gap, weight * dual.mu[entry], weight * eta_[entry],
+                                  at.gap - gap.initial, opening(discrete, gap, z.row(0), frame.a3))
+                             .larger();
+  }
+  for (const AtSharpEdge& at : at_sharp_edges_) {
+    const double eta = eta_[at.node * discrete.obstacles.all.size() + at.obstacle];
+    lines[at.crossed] += at.part * discrete.points[at.node].side_weight * std::abs(eta) * reach_at(at, dual);
   }
   return lines;
 }
@@ -249,8 +372,7 @@ void ContactEdge::extend_to_held_nodes(std::size_t cell, std::size_t obstacle, E
       densities(i, 1) = sum / touching;
 }
 
-double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivative& derivative,
-                          const element::CellField& z, const Reactions& reactions) const {
+double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& dual) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
   const assembly::ShellOperator& shell = discrete.shell;
   const fem::Space& space = discrete.space();
@@ -259,45 +381,48 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Derivati
   if (stands_on_rim(cell, obstacle)) return 0;  // a line reaction is no density
   Eigen::MatrixXd densities(space.nodes_per_cell(), 2);
   for (int i = 0; i < space.nodes_per_cell(); ++i) {
-    const std::size_t node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]) * obstacles;
-    densities.row(i) << reactions.mu[node + obstacle], reactions.eta[node + obstacle];
+    const auto node = static_cast<std::size_t>(space.nodes(cell)[static_cast<std::size_t>(i)]);
+    const std::size_t entry = node * obstacles + obstacle;
+    if (is_at_sharp_edge(node, obstacle))
+      densities.row(i).setZero();  // a line reaction, too
+    else
+      densities.row(i) << dual.mu[entry], eta_[entry];
   }
   extend_to_held_nodes(cell, obstacle, densities);
   const Eigen::MatrixXd density = reaction_basis_ * densities;
   std::vector<geometry::Frame> frames(at.xi.size());
   shell.surface().frames(space.cells[cell], at.xi, frames, false);
   const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
-  const element::CellField dual = shell.interpolation().values(cell, at, z);
+  const element::CellField z = shell.interpolation().values(cell, at, shell.gather(cell, dual.y));
   const element::CellField moved = discrete.state_values(cell, at);
-  double penetration = 0, reach = 0;
+  const Eigen::VectorXd lifts = interpolated_lifts(discrete, cell, obstacle, at);
+  Products sum;
   for (int q = 0; q < u.rows(); ++q) {
     const assembly::QuadraturePoint& p = shell.point(cell, q);
-    const obstacle::Gap gap =
-        discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3, p.thickness,
-                                                    moved.row(q).transpose()));
-    const auto opened = [&](const element::CellField& field) {
-      return opening(discrete, gap, field.row(q), p.frame.a3);
-    };
-    penetration += p.area * density(q, 0) * (gap.initial + opened(u));
-    reach += p.area * density(q, 1) * (opened(dual) - derivative.held_at(obstacle, gap));
-    if (derivative.weighs_gaps) penetration += p.area * density(q, 1) * (gap.initial + opened(u));
+    obstacle::Gap gap = discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3,
+                                                                    p.thickness, moved.row(q).transpose()));
+    gap.initial -= lifts[q];  // LiftedBounds counts them
+    const Products here =
+        products(dual, obstacle, gap, p.area * density(q, 0), p.area * density(q, 1),
+                 opening(discrete, gap, u.row(q), p.frame.a3), opening(discrete, gap, z.row(q), p.frame.a3));
+    sum.penetration += here.penetration;
+    sum.reach += here.reach;
   }
-  // The dual's displacement of a pressed obstacle is not available here.
-  return std::max(std::abs(penetration), solved_.box.pressing.empty() ? std::abs(reach) : 0.0);
+  return sum.larger();
 }
 
-EdgeShares ContactEdge::shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const {
+EdgeShares ContactEdge::shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y) const {
   EdgeShares result(crossed_.size());
   if (eta_.empty()) return result;
-  algebra::Vector multiplier(z.layout(), z.block());
-  solved_.box.apply(z, multiplier);
-  algebra::axpy(-1, derivative.dual.load, multiplier);
-  const Reactions reactions{.mu = densities(multiplier), .eta = eta_};
-  result.lines = line_shares(derivative, y, reactions);
+  Dual z{.derivative = derivative,
+         .y = y,
+         .mu = densities(dual.multiplier),
+         .positions = std::vector<double>(is_pressed_.size(), 0)};
+  const std::vector<std::size_t> pressed = assembly::pressed_obstacles(solved_.discrete);
+  for (std::size_t k = 0; k < pressed.size(); ++k) z.positions[pressed[k]] = dual.positions.at(k);
+  result.lines = line_shares(z);
   for (std::size_t i = 0; i < crossed_.size(); ++i) {
-    const element::CellField field = solved_.discrete.shell.gather(crossed_[i], y);
-    for (std::size_t k = 0; k < solved_.discrete.obstacles.all.size(); ++k)
-      result.all[i] += share(crossed_[i], k, derivative, field, reactions);
+    for (std::size_t k = 0; k < solved_.discrete.obstacles.all.size(); ++k) result.all[i] += share(crossed_[i], k, z);
     result.all[i] = std::max(result.all[i], result.lines[i]);
   }
   return result;

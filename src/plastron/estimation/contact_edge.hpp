@@ -5,12 +5,15 @@
 // mu and eta the reactions of dual and solution, g(u_h) the gap, w the values at which the dual is fixed. Like the
 // product of strain errors, they are known by size, not by sign (docs/methods/estimates.md). A true line of contact
 // lies between nodes. There the approximate shell penetrates the obstacle beside the row of touching nodes. Nodal
-// quadrature does not include this, so both terms are evaluated at the deepest point.
+// quadrature does not include this, so both terms are evaluated at the deepest point. A pressed obstacle follows the
+// shell: a depth that is the same everywhere changes its position, and no term contains it.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
 #include <plastron/solution/contact_width.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -42,12 +45,20 @@ class ContactEdge {
   /// For each crossed cell whose free nodes all touch: the mean place in [0, 1] along its direction across() between
   /// touching nodes and nodes that supports hold.
   const std::vector<std::optional<double>>& at_support() const { return at_support_; }
-  /// Returns the shares for the dual z. `y` are its Cartesian values (collective).
-  EdgeShares shares(const Derivative& derivative, const algebra::Vector& z, const algebra::Vector& y) const;
+  /// Returns the shares for a dual solution. `y` are its Cartesian values (collective).
+  EdgeShares shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y) const;
 
  private:
-  struct Reactions {
-    std::vector<double> mu, eta;  ///< by local node and obstacle, per unit area
+  struct Dual {
+    const Derivative& derivative;
+    const algebra::Vector& y;
+    std::vector<double> mu{};         ///< its reactions by local node and obstacle, per unit area
+    std::vector<double> positions{};  ///< of all obstacles along their forces
+  };
+  /// The two products at a point (contact_edge.cc).
+  struct Products {
+    double penetration = 0, reach = 0;
+    double larger() const { return std::max(std::abs(penetration), std::abs(reach)); }
   };
   /// A point of a crossed cell next to a touching node, where the shell is deepest inside the obstacle.
   struct Deepest {
@@ -59,6 +70,20 @@ class ContactEdge {
     double part = 1;      ///< part of the node's reaction in this cell; other cells have the rest
     bool on_line = true;  ///< true in a zone without area
   };
+  /// A touching node at a line or point of contact with a sharp edge of an obstacle, in one of its crossed cells.
+  struct AtSharpEdge {
+    std::size_t crossed = 0, obstacle = 0, node = 0;
+    std::vector<Eigen::Vector2d> edges{};  ///< places of the edge in the cell, on either side of the node
+    double part = 1;                       ///< part of the node's reaction in this cell
+  };
+  void find_sharp_edges();
+  bool is_at_sharp_edge(std::size_t node, std::size_t obstacle) const {
+    return sharp_.local()[node * static_cast<std::size_t>(sharp_.block()) + obstacle] > 0;
+  }
+  /// The places where the obstacle's normal turns sharply, between node i of line j along a direction and its neighbours.
+  std::vector<Eigen::Vector2d> sharp_edges(std::size_t cell, std::size_t obstacle, std::size_t direction, std::size_t i,
+                                           std::size_t j) const;
+  double reach_at(const AtSharpEdge& at, const Dual& dual) const;
   void find_deepest();
   void find_held();
   bool is_held(std::size_t node, std::size_t obstacle) const;
@@ -68,12 +93,12 @@ class ContactEdge {
   /// The shell's gaps at points of a cell, with their rows.
   std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
                                                      const element::BasisAt& at) const;
-  std::vector<double> line_shares(const Derivative& derivative, const algebra::Vector& y,
-                                  const Reactions& reactions) const;
+  Products products(const Dual& dual, std::size_t obstacle, const obstacle::Gap& gap, double mu, double eta,
+                    double opened, double opened_by_dual) const;
+  std::vector<double> line_shares(const Dual& dual) const;
   std::vector<double> densities(const algebra::Vector& multiplier) const;
   void extend_to_held_nodes(std::size_t cell, std::size_t obstacle, Eigen::MatrixXd& densities) const;
-  double share(std::size_t cell, std::size_t obstacle, const Derivative& derivative, const element::CellField& z,
-               const Reactions& reactions) const;
+  double share(std::size_t cell, std::size_t obstacle, const Dual& dual) const;
   bool touches(std::size_t node, std::size_t obstacle) const { return width_->touches(node, obstacle); }
   /// Whether all touching nodes of a cell lie on a rim that carries a line reaction.
   bool stands_on_rim(std::size_t cell, std::size_t obstacle) const;
@@ -82,7 +107,8 @@ class ContactEdge {
   void find_rim();
 
   const Solved& solved_;
-  std::vector<double> eta_{};
+  std::vector<double> eta_{};       ///< the solution's reactions by local node and obstacle, per unit area
+  std::vector<char> is_pressed_{};  ///< by obstacle: a force presses it
   std::optional<solution::ContactWidth> width_{};  ///< empty without obstacles
   std::vector<std::size_t> crossed_{}, touching_nodes_{};
   std::vector<int> across_{};
@@ -93,6 +119,8 @@ class ContactEdge {
   std::vector<std::pair<std::size_t, int>> rim_sides_{};  ///< sides of owned cells on the rim; likewise
   Eigen::MatrixXd reaction_basis_;
   std::array<element::BasisAt, 2> between_{};  ///< points between nodes along either direction; empty in triangles
+  algebra::Vector sharp_{};  ///< positive at lines and points of contact with sharp edges (block: obstacles)
+  std::vector<AtSharpEdge> at_sharp_edges_{};
   std::vector<Deepest> deepest_{};
 };
 

@@ -44,7 +44,7 @@ DualSolver::DualSolver(const contact::BoxProblem& problem, const contact::BoxSol
     shapes_.push_back(contact::active_shape(force, solution.activity));
 }
 
-std::optional<algebra::Vector> DualSolver::solve_fixed(const algebra::Vector& load, const algebra::Vector& fixed) {
+std::optional<DualSolution> DualSolver::solve_fixed(const algebra::Vector& load, const algebra::Vector& fixed) {
   dual_.load = load;
   for (std::size_t i = 0; i < set_.size(); ++i)
     if (set_[i] != contact::Activity::free) dual_.lower.owned()[i] = dual_.upper.owned()[i] = fixed.owned()[i];
@@ -53,47 +53,45 @@ std::optional<algebra::Vector> DualSolver::solve_fixed(const algebra::Vector& lo
   if (!point) return {};
   is_factorised_ = true;
   point->z.update_ghosts();
-  return std::move(point->z);
+  return DualSolution{.z = std::move(point->z),
+                      .multiplier = std::move(point->multiplier),
+                      .positions = std::vector<double>(shapes_.size(), 0)};
 }
 
 bool DualSolver::find_responses() {
   const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
     if (algebra::max_abs(shapes_[k]) == 0) continue;
-    auto z = solve_fixed(no_load, shapes_[k]);
-    if (!z) return false;
-    responses_.push_back({k, std::move(*z)});
+    auto response = solve_fixed(no_load, shapes_[k]);
+    if (!response) return false;
+    responses_.push_back({k, std::move(*response)});
   }
   return true;
 }
 
-/// Force of a z with this load on a pressing force's obstacle: sum of (A z - load)_i shape_i.
-double DualSolver::reaction(std::size_t force, const algebra::Vector& load, const algebra::Vector& z) const {
-  algebra::Vector residual(load.layout(), load.block());
-  problem_.apply(z, residual);
-  algebra::axpy(-1, load, residual);
-  return algebra::dot(shapes_[force], residual);
-}
-
-std::optional<algebra::Vector> DualSolver::solve(const DualLoad& dual) {
+std::optional<DualSolution> DualSolver::solve(const DualLoad& dual) {
   if (responses_.empty() && !find_responses()) return {};
-  auto z = solve_fixed(dual.load, dual.fixed);
-  if (!z || responses_.empty()) return z;
+  auto found = solve_fixed(dual.load, dual.fixed);
+  if (!found || responses_.empty()) return found;
   const auto count = static_cast<Eigen::Index>(responses_.size());
-  const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
   Eigen::MatrixXd border(count, count);
   Eigen::VectorXd missing(count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const std::size_t force = responses_[static_cast<std::size_t>(k)].force;
     const double wanted = force < dual.positions.size() ? dual.positions[force] : 0;
-    missing[k] = wanted - reaction(force, dual.load, *z);
+    missing[k] = wanted - reaction(force, *found);
     for (Eigen::Index l = 0; l < count; ++l)
-      border(k, l) = reaction(force, no_load, responses_[static_cast<std::size_t>(l)].z);
+      border(k, l) = reaction(force, responses_[static_cast<std::size_t>(l)].to_motion);
   }
   const Eigen::VectorXd ways = border.fullPivLu().solve(missing);
-  for (Eigen::Index k = 0; k < count; ++k) algebra::axpy(ways[k], responses_[static_cast<std::size_t>(k)].z, *z);
-  z->update_ghosts();
-  return z;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Response& response = responses_[static_cast<std::size_t>(k)];
+    algebra::axpy(ways[k], response.to_motion.z, found->z);
+    algebra::axpy(ways[k], response.to_motion.multiplier, found->multiplier);
+    found->positions[response.force] = ways[k];
+  }
+  found->z.update_ghosts();
+  return found;
 }
 
 }  // namespace plastron::estimation

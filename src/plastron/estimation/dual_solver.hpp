@@ -19,25 +19,35 @@ struct DualLoad {
   std::vector<double> positions{};
 };
 
+struct DualSolution {
+  algebra::Vector z{};  ///< with current ghosts
+  /// A z - load, with equations A z + B' q - load: minus the rates of J with the values of fixed coordinates.
+  algebra::Vector multiplier{};
+  std::vector<double>
+      positions{};  ///< motions of the pressed obstacles along their forces, in the order of the problem
+};
+
 class DualSolver {
  public:
   /// Keeps references to all three arguments; `solution` belongs to `problem` (collective).
   DualSolver(const contact::BoxProblem& problem, const contact::BoxSolution& solution,
              algebra::Preconditioner& preconditioner);
 
-  /// Returns z with a(v, z) = J(v) for all v of the tangent space, with current ghosts (collective). Fixed
-  /// coordinates have the values of `fixed` plus multiples of the shapes of pressed obstacles. Empty if the solver for
-  /// linear equations fails.
-  std::optional<algebra::Vector> solve(const DualLoad& dual);
+  /// Returns z with a(v, z) = J(v) for all v of the tangent space (collective). Fixed coordinates have the values of
+  /// `fixed` plus multiples of the shapes of pressed obstacles. Empty if the solver for linear equations fails.
+  std::optional<DualSolution> solve(const DualLoad& dual);
 
  private:
   struct Response {
     std::size_t force;
-    algebra::Vector z;
+    DualSolution to_motion;  ///< of the force's obstacle by 1
   };
-  std::optional<algebra::Vector> solve_fixed(const algebra::Vector& load, const algebra::Vector& fixed);
+  std::optional<DualSolution> solve_fixed(const algebra::Vector& load, const algebra::Vector& fixed);
   bool find_responses();
-  double reaction(std::size_t force, const algebra::Vector& load, const algebra::Vector& z) const;
+  /// Force on the obstacle of a pressing force, along it.
+  double reaction(std::size_t force, const DualSolution& dual) const {
+    return algebra::dot(shapes_[force], dual.multiplier);
+  }
 
   const contact::BoxProblem& problem_;
   contact::ActiveSet set_;  ///< final active set; all fixed unknowns are marked as prescribed

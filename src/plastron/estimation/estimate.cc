@@ -1,6 +1,7 @@
 #include <plastron/estimation/estimate.hpp>
 
 #include <plastron/estimation/contact_edge.hpp>
+#include <plastron/estimation/lifted_bounds.hpp>
 #include <plastron/estimation/strain_errors.hpp>
 #include <plastron/mesh/basis.hpp>
 
@@ -67,6 +68,7 @@ class GoalEstimator {
         primal_(primal),
         strain_errors_(strain_errors),
         edge_(edge),
+        lifted_(solved),
         has_strain_errors_(edge.crossed().size(), 0),
         duals_(solved.box, solved.z, preconditioner) {}
 
@@ -84,14 +86,21 @@ class GoalEstimator {
       result.free_edges += sign * twist_product(primal_, primal_) / 2;
     }
     EdgeShares at_edge(edge_.crossed().size());
+    std::vector<double> by_lifts(result.cells.size(), 0);
+    double quadratic_by_lifts = 0;
     if (std::holds_alternative<ContactArea>(goal.functional))
       std::ranges::transform(edge_.crossed(), at_edge.all.begin(), [&](std::size_t c) { return area_share(shell, c); });
     if (!weighs_nothing(d.dual)) {
       const auto z = duals_.solve(d.dual);
       result.has_dual = z.has_value();
-      if (z) at_edge = add_dual(d, *z, result);
+      if (z) {
+        at_edge = add_dual(d, *z, result);
+        by_lifts = lifted_.shares(z->multiplier);
+        if (std::holds_alternative<Energy>(goal.functional)) quadratic_by_lifts = energy_of_lifts();
+      }
     }
     sum_up(at_edge, result);
+    add_lifts(by_lifts, quadratic_by_lifts, result);
     result.free_edges = algebra::sum_over_ranks(result.free_edges, shell.space().layout->comm);
     return result;
   }
@@ -101,14 +110,32 @@ class GoalEstimator {
 
  private:
   /// Adds the dual estimate. Returns the shares of the contact zone's edge.
-  EdgeShares add_dual(const Derivative& d, const algebra::Vector& z, GoalEstimate& result) {
-    algebra::Vector y(z.layout(), 6);
-    solved_.discrete.coordinates.to_cartesian(z, y);
+  EdgeShares add_dual(const Derivative& d, const DualSolution& z, GoalEstimate& result) {
+    algebra::Vector y(z.z.layout(), 6);
+    solved_.discrete.coordinates.to_cartesian(z.z, y);
     result.dual_energy = solved_.discrete.motion_energies(y).total();
     const AllErrors dual = strain_errors_.of_motion(y);
     add_dual_shares(solved_.discrete.shell, primal_, dual, result.cells);
     result.free_edges += twist_product(primal_, dual);
     return edge_.shares(d, z, y);
+  }
+
+  /// Energy of the motion back to bounds without lifts; 0 where they change nothing or linear equations fail.
+  double energy_of_lifts() {
+    if (!lifted_.any()) return 0;
+    const auto back = duals_.solve(lifted_.way_back());
+    if (!back) return 0;
+    algebra::Vector y(back->z.layout(), 6);
+    solved_.discrete.coordinates.to_cartesian(back->z, y);
+    return solved_.discrete.motion_energies(y).total();
+  }
+
+  /// Adds the change by lifts, without sign: the exact solution may lie on either side of the one without lifts.
+  void add_lifts(const std::vector<double>& cells, double quadratic, GoalEstimate& result) const {
+    if (!lifted_.any()) return;
+    result.contact_edge += std::abs(over_ranks(cells, solved_.discrete.space().layout->comm) + quadratic);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (cells[c] != 0) result.cells[c] = std::abs(result.cells[c]) + std::abs(cells[c]);
   }
 
   /// Adds up the shares of all cells. In cells crossed by the edge of a contact zone the sign of a share is unknown.
@@ -133,6 +160,7 @@ class GoalEstimator {
   const AllErrors& primal_;
   const StrainRecovery& strain_errors_;
   const ContactEdge& edge_;
+  LiftedBounds lifted_;
   std::vector<char> has_strain_errors_;
   DualSolver duals_;
 };

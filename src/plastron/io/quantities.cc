@@ -281,7 +281,7 @@ std::span<const Quantity<estimation::GoalEstimate>> goal_quantities() {
       {"at_higher_degree", "see unit",
        "value on the same cells at degree k+1, if this solution was needed to confirm an accuracy, else null",
        [](const GoalEstimate& g) { return known(g.at_higher_degree); }},
-      {"contact_edge", "see unit", "possible error by the edges of contact zones, of either sign",
+      {"contact_edge", "see unit", "possible error by the edges of contact zones and by lifted bounds, of either sign",
        [](const GoalEstimate& g) { return number(g.contact_edge); }},
       {"error", "see unit", "estimate of |exact value - value|",
        [](const GoalEstimate& g) { return number(g.error()); }},
