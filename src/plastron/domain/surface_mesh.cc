@@ -20,6 +20,8 @@ namespace plastron::domain {
 
 namespace {
 
+using About = topology::SurfaceError::About;
+
 /// The cells of a file and its groups.
 class SpaceCells {
  public:
@@ -81,20 +83,23 @@ std::vector<std::string> messages_of(const std::vector<topology::Flaw>& flaws) {
   return messages;
 }
 
-std::string text_of(const std::vector<topology::Flaw>& flaws) {
-  return fmt::format("{}", fmt::join(messages_of(flaws), "; also: "));
+topology::SurfaceError error_of(const std::vector<topology::Flaw>& flaws) {
+  const bool has_gaps = std::ranges::count(flaws, About::border, &topology::Flaw::about) > 0;
+  return {has_gaps ? About::border : About::cells, fmt::format("{}", fmt::join(messages_of(flaws), "; also: "))};
 }
 
-/// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws DomainError where there
+/// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws SurfaceError where there
 /// are folds, or two thicknesses at a node.
 topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopology& topology,
                              const std::vector<std::string>& regions) {
   const topology::SpaceMesh& mesh = topology.mesh;
   for (const topology::SurfaceEdge& edge : topology.edges)
     if (edge.kind == topology::EdgeKind::fold || edge.kind == topology::EdgeKind::branch)
-      throw mesh::DomainError(fmt::format(
-          "the surface has a fold at {}, where an offset would tear it; mesh the mid-surface of a part with folds",
-          topology::place_of(mesh.nodes[static_cast<std::size_t>(edge.ends[0])])));
+      throw topology::SurfaceError(
+          About::surface,
+          fmt::format(
+              "the surface has a fold at {}, where an offset would tear it; mesh the mid-surface of a part with folds",
+              topology::place_of(mesh.nodes[static_cast<std::size_t>(edge.ends[0])])));
   topology::SpaceMesh moved = mesh;
   std::vector<double> distance(mesh.nodes.size(), 0);
   std::vector<bool> is_set(mesh.nodes.size(), false);
@@ -106,10 +111,10 @@ topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopolo
       const double e = offset.thickness_of(region)(geometry::Place{0, 0, at[0], at[1], at[2]});
       constexpr double rounding = 1e-9;
       if (is_set[node] && std::abs(distance[node] - offset.part * e) > rounding * std::abs(distance[node]))
-        throw mesh::DomainError(
-            fmt::format("at {} two regions of different thickness meet, where an offset would tear the "
-                        "surface; let the thickness be continuous, or mesh the mid-surface",
-                        topology::place_of(at)));
+        throw topology::SurfaceError(
+            About::surface, fmt::format("at {} two regions of different thickness meet, where an offset would tear the "
+                                        "surface; let the thickness be continuous, or mesh the mid-surface",
+                                        topology::place_of(at)));
       distance[node] = offset.part * e;
       is_set[node] = true;
       const auto copy = static_cast<std::size_t>(topology.cell_director_nodes[c][i]);
@@ -178,7 +183,7 @@ class SurfaceReader {
     new_number_ = std::move(merged.new_number);
     const topology::SurfaceFlaws flaws =
         topology::find_flaws(merged.mesh, reading_.has_slits ? topology::FlawLimits{.gap = 0} : topology::FlawLimits{});
-    if (!flaws.errors.empty()) throw mesh::DomainError(text_of(flaws.errors));
+    if (!flaws.errors.empty()) throw error_of(flaws.errors);
     const topology::SurfaceOptions options{
         .smooth_angle = reading_.smooth_angle, .upper = reading_.upper, .folds = named_folds()};
     FileSurface surface = named(topology::surface_topology(std::move(merged.mesh), options));
@@ -211,8 +216,9 @@ class SurfaceReader {
   void check_folds() const {
     for (const std::string& fold : reading_.folds)
       if (std::ranges::find(boundaries(), fold) == boundaries().end())
-        throw mesh::DomainError(fmt::format("there is no curve \"{}\" that could be a fold; the file has: {}", fold,
-                                            fmt::join(boundaries(), ", ")));
+        throw topology::SurfaceError(
+            About::surface, fmt::format("there is no curve \"{}\" that could be a fold; the file has: {}", fold,
+                                        fmt::join(boundaries(), ", ")));
   }
 
   /// Calls visit(line element, its ends after merging, group) for each line in a group.
@@ -340,13 +346,12 @@ class SurfaceMesher {
   mesh::CoarseMesh mesh_{};
 };
 
-/// Throws DomainError with the name of the file in front.
+/// Adds the name of the file to errors of its surface.
 FileSurface surface_of(const MeshData& data, const SpaceReading& reading, std::optional<mesh::Shape> shape) {
   try {
     return SurfaceReader(data, reading, shape)();
-  } catch (const mesh::DomainError& error) {
-    const std::string text = error.what();
-    throw mesh::DomainError(text.starts_with(data.source) ? text : fmt::format("{}: {}", data.source, text));
+  } catch (const topology::SurfaceError& error) {
+    throw topology::SurfaceError(error.about, fmt::format("{}: {}", data.source, error.what()));
   }
 }
 
@@ -366,11 +371,12 @@ FileSurface surface_of_facets(const MeshFile& file, std::optional<mesh::Shape> s
       if (part < 1)
         surface.notes.emplace_back("larger cells fold at small features of the part; to choose their sides, set size");
       return surface;
-    } catch (const mesh::DomainError& error) {
-      const std::string text = error.what();
-      if (part == 1 && text.find(" element ") == std::string::npos) throw;
-      if (part == 1) message = text;
-      if (reading.size || text.find("border") != std::string::npos) break;
+    } catch (const topology::SurfaceError& error) {
+      if (part == 1 && error.about == About::surface) throw;
+      if (part == 1) message = error.what();
+      if (reading.size || error.about == About::border) break;
+    } catch (const mesh::DomainError&) {  // of the facets
+      if (part == 1) throw;
     }
   }
   // The numbers are those of cells that the file does not have.
