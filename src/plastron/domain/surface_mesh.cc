@@ -8,11 +8,13 @@
 #include <plastron/mesh/surface_patches.hpp>
 #include <plastron/topology/disjoint_sets.hpp>
 #include <plastron/topology/surface_flaws.hpp>
+#include <plastron/topology/surface_patch.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -126,7 +128,10 @@ topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopolo
 /// The director nodes on a named curve and the plane in which they lie.
 class CurveInPlane {
  public:
-  CurveInPlane(int boundary, const FileSurface& surface) : topology_(surface.topology) {
+  CurveInPlane(int boundary, const FileSurface& surface)
+      : topology_(surface.topology), tables_(topology_.mesh.shape, [shape = topology_.mesh.shape](int order) {
+          return mesh::lattice(shape, order);
+        }) {
     for (const NamedEdge& named : surface.named_edges) {
       if (named.boundary != boundary) continue;
       const topology::SurfaceEdge& edge = topology_.edges[named.edge];
@@ -136,10 +141,17 @@ class CurveInPlane {
 
   const std::set<std::int32_t>& nodes() const { return nodes_; }
 
+  /// How well the mesh knows a direction on the curve [rad]: half of the angle at which its cells meet there, and no better than the
+  /// digits of a file. An angle of more than a degree is no error of a mesh that could be computed with.
+  double accuracy() const {
+    constexpr double digits = 1e-3, most = 0.02;
+    return std::clamp(largest_angle_, digits, most);
+  }
+
   /// The unit normal of the plane of the nodes; for a straight curve, of the plane of the curve and its mean director.
-  /// Empty if there is no such plane.
+  /// Empty if a chord leaves the plane at a larger angle than the accuracy.
   std::optional<Vector3d> normal() const {
-    constexpr double flat = 1e-6;  // relative to the extent
+    constexpr double straight = 1e-3;  // [rad]
     Vector3d mean = Vector3d::Zero(), director = Vector3d::Zero();
     for (const std::int32_t node : nodes_) {
       mean += place(node) / static_cast<double>(nodes_.size());
@@ -148,17 +160,30 @@ class CurveInPlane {
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (const std::int32_t node : nodes_) moments += (place(node) - mean) * (place(node) - mean).transpose();
     const auto eigen = geometry::symmetric_eigen(moments);
-    const double extent = std::sqrt(eigen.values[2]);
-    if (std::sqrt(std::max(0.0, eigen.values[0])) > flat * extent) return {};
-    if (std::sqrt(std::max(0.0, eigen.values[1])) > flat * extent) return Vector3d(eigen.vectors.col(0));
     const Vector3d along = eigen.vectors.col(2), across = along.cross(director);
-    return across.norm() > 0 ? std::optional(Vector3d(across.normalized())) : std::nullopt;
+    const bool is_straight =
+        std::ranges::all_of(chords_, [&](const Vector3d& chord) { return chord.cross(along).norm() <= straight; });
+    const Vector3d n = is_straight ? across : Vector3d(eigen.vectors.col(0));
+    if (!(n.norm() > 0)) return {};
+    const Vector3d unit = n.normalized();
+    const bool is_plane =
+        std::ranges::all_of(chords_, [&](const Vector3d& chord) { return std::abs(chord.dot(unit)) <= accuracy(); });
+    return is_plane ? std::optional(unit) : std::nullopt;
   }
 
  private:
   void add(const mesh::MeshEdge& side) {
-    for (const int place : topology::ascending_places(topology_.mesh, side))
-      nodes_.insert(topology_.cell_director_nodes[side.cell][static_cast<std::size_t>(place)]);
+    const topology::SurfaceCell& cell = topology_.mesh.cells[side.cell];
+    const topology::PatchPoints points = topology::patch_points(tables_(cell.order), topology_.mesh, cell);
+    std::int32_t last = -1;
+    for (const int at : topology::ascending_places(topology_.mesh, side)) {
+      const std::int32_t node = topology_.cell_director_nodes[side.cell][static_cast<std::size_t>(at)];
+      nodes_.insert(node);
+      const Vector3d& director = topology_.director_nodes[static_cast<std::size_t>(node)].director;
+      largest_angle_ = std::max(largest_angle_, topology::angle_between(director, points.normal(at)));
+      if (last >= 0) chords_.push_back((place(node) - place(last)).normalized());
+      last = node;
+    }
   }
   const Vector3d& place(std::int32_t node) const {
     return topology_.mesh
@@ -166,7 +191,10 @@ class CurveInPlane {
   }
 
   const topology::SurfaceTopology& topology_;
+  topology::PatchTables<std::function<std::vector<Eigen::Vector2d>(int)>> tables_;
   std::set<std::int32_t> nodes_{};
+  std::vector<Vector3d> chords_{};  ///< directions between neighbouring nodes
+  double largest_angle_ = 0;        ///< between a director and the normal of a cell there [rad]
 };
 
 /// Makes the topology of a file's cells and finds its named edges.
@@ -391,6 +419,7 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
   const auto found = std::ranges::find(surface.boundaries, boundary);
   if (found == surface.boundaries.end()) return;  // the support's own check reports the name
   const CurveInPlane curve(static_cast<int>(found - surface.boundaries.begin()), surface);
+  surface.symmetry_accuracy[boundary] = curve.accuracy();
   const std::optional<Vector3d> normal = curve.normal();
   if (!normal) return;  // the check of symmetry reports it
   for (const std::int32_t node : curve.nodes()) {
