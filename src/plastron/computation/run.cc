@@ -279,7 +279,7 @@ Result Run::finish() {
     }
     warn(load_warnings(problem, result));
     warn(linear_model_warnings(result));
-    warn(jump_warnings(result));
+    warn(jump_warnings(problem, result));
     warn(control_warnings(result));
     warn(stability_warnings(result));
     warn(geometry_warnings(result));
