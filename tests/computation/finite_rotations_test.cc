@@ -463,6 +463,35 @@ TEST(Vibration, OfAPinnedStripIsTimoshenkos) {
   }
 }
 
+// The time limit and Ctrl-C hold for modes, too, which may take longer than the solution.
+TEST(Modes, EndWithTheTimeAndWithTheCaller) {
+  problem::Problem p = disk_of({"x", "y", "sqrt(1 - x^2 - y^2)"}, 0.02, std::sin(0.3), 1);
+  p.shell.sections.common.density = 1;
+  p.shell.loads.on_areas = {force(0, 0, -1e-5)};
+  p.modes = {.buckling = 2, .vibration = 2};
+  p.accuracy = problem::Accuracy{.goals = {{"energy", 0.4}}, .max_seconds = 1e-9};
+  const Result late = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(late.status, contact::Status::accuracy_not_reached);
+  EXPECT_THAT(late.missed_limits, HasSubstr("max_seconds = 1e-09 was over before the buckling loads were found"));
+  EXPECT_THAT(late.missed_limits, HasSubstr("was over before the natural frequencies were found"));
+  EXPECT_TRUE(late.modes.empty());
+  EXPECT_GT(late.summary.energy.total(), 0);
+  p.accuracy->max_seconds = 1e9;
+  const Result in_time = solve(p, MPI_COMM_WORLD);
+  EXPECT_EQ(in_time.status, contact::Status::solved) << in_time.missed_limits;
+  EXPECT_EQ(in_time.modes.size(), 4U);
+  p.accuracy.reset();
+  p.discretisation.refinements = 0;
+  bool is_finished = false;
+  Observer observer;
+  observer.level = [&](int, const Level&) { is_finished = true; };
+  observer.stop = [&] { return is_finished; };
+  const Result interrupted = solve(p, MPI_COMM_WORLD, observer);
+  EXPECT_EQ(interrupted.status, contact::Status::interrupted);
+  EXPECT_TRUE(interrupted.modes.empty());
+  EXPECT_GT(interrupted.summary.energy.total(), 0);
+}
+
 // A square plate without supports has six rigid motions, then the frequencies of a thin plate, omega L^2 sqrt(rho e / D), by the Ritz
 // method with Legendre polynomials of degree 14. The NAFEMS benchmark FV12 has them in Hz, for L = 10 m, e = 0.05 m, E = 200 GPa, nu =
 // 0.3, rho = 8000 kg/m^3. (Products of beam functions give upper bounds, which are often cited: 13.49, 19.79, 24.43 in the guide VPCS,
