@@ -227,8 +227,15 @@ std::string text_of(const Limit& limit) {
 
 std::vector<Topic> limit_topics() {
   std::vector<Topic> topics;
-  for (const Limit& limit : config::limits())
-    topics.push_back({limit.name, "limit of the program", limit.aliases, [&limit] { return text_of(limit); }});
+  for (const Limit& limit : config::limits()) {
+    std::vector<std::string> words;
+    for (const std::string& alias : limit.aliases) {
+      if (alias.starts_with('.')) continue;  // a section, which alone is a key of others
+      words.push_back(alias);
+      std::ranges::replace(words.emplace_back(alias), '-', '_');
+    }
+    topics.push_back({limit.name, "limit of the program", std::move(words), [&limit] { return text_of(limit); }});
+  }
   return topics;
 }
 

@@ -28,14 +28,13 @@ namespace {
 /// Returns (effective settings as JSON, text with settings, files that the case names as (name, path)).
 py::tuple read(const std::string& text, const std::string& file_name, const std::vector<std::string>& settings) {
   try {
-    const config::Case c = config::parse_case(text, file_name, settings);
+    const config::Case c = raising_interruptions([&] { return config::parse_case(text, file_name, settings); });
     py::list files;
     for (const auto& [name, path] : c.files) files.append(py::make_tuple(name, path.string()));
     return py::make_tuple(c.effective.dump(), c.text, files);
   } catch (const config::CaseErrors& errors) {
     throw_case_error(errors);
   } catch (const geometry::FunctionError& error) {
-    rethrow_interruption();
     raise("CaseError", file_name + ": error: " + error.what() + "\n");
   }
 }

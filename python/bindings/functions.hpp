@@ -17,14 +17,27 @@ namespace plastron::python {
 namespace py = pybind11;
 
 /// Ctrl-C, or another exception that is not an error, in a function of Python. It ends the computation like an error of the
-/// function, and is raised afterwards by rethrow_interruption().
+/// function, and is raised afterwards by raising_interruptions().
 inline std::exception_ptr& interruption() {
   static std::exception_ptr pending;
   return pending;
 }
 
-inline void rethrow_interruption() {
-  if (auto pending = std::exchange(interruption(), nullptr)) std::rethrow_exception(pending);
+/// Calls `work`, which may call functions of Python. An interruption in one of them is raised in place of the result, and in place of
+/// any error: the library may have made a FunctionError into an error of the case, of a file, or of another rank.
+template <class Work>
+auto raising_interruptions(Work&& work) {
+  const auto raise_pending = [] {
+    if (auto pending = std::exchange(interruption(), nullptr)) std::rethrow_exception(pending);
+  };
+  try {
+    auto value = work();
+    raise_pending();
+    return value;
+  } catch (...) {
+    raise_pending();
+    throw;
+  }
 }
 
 /// Calls `function`(places, first, count) with places as an array of n x 5 (x, y, X, Y, Z); it returns count x n numbers.

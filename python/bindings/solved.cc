@@ -89,8 +89,7 @@ py::dict Solved::fields(double scale) const {
   return all;
 }
 
-py::list Solved::values_at(const py::array_t<double, py::array::c_style | py::array::forcecast>& points,
-                           const std::vector<double>& heights) const {
+py::list Solved::values_at(const Points& points, const std::vector<double>& heights) const {
   if (points.ndim() != 2 || (points.shape(1) != 2 && points.shape(1) != 3))
     throw py::value_error("points is an array of n x 2 parameters or n x 3 places in space");
   problem::Problem located = case_.problem;

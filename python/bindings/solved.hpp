@@ -17,6 +17,9 @@
 
 namespace plastron::python {
 
+/// n x 2 parameters, or n x 3 places in space.
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
 class Solved final : public Releasable {
  public:
   /// A case, its result, and its files that are not finished yet; no files for a result that was loaded.
@@ -40,8 +43,7 @@ class Solved final : public Releasable {
   py::dict fields(double scale) const;
   /// Returns every field at points of Omega (n x 2), or at the points of the mid-surface nearest to points in space (n x 3),
   /// with heights z / e for further stresses: (name, unit, array) (collective).
-  py::list values_at(const py::array_t<double, py::array::c_style | py::array::forcecast>& points,
-                     const std::vector<double>& heights) const;
+  py::list values_at(const Points& points, const std::vector<double>& heights) const;
 
  private:
   const computation::Solution& solution() const;

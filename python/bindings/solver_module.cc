@@ -40,18 +40,15 @@ template <class Work>
 auto computing(Work&& work) {
   if (is_computing()) throw std::runtime_error("a function that a computation calls cannot start another computation");
   using Value = decltype(work());
-  interruption() = nullptr;
   try {
-    std::optional<Value> value;
-    {
+    return raising_interruptions([&] {
+      std::optional<Value> value;
       const py::gil_scoped_release release;
       const Turn turn;
       workflow::refusing([&] { value.emplace(work()); });
-    }
-    rethrow_interruption();
-    return std::move(*value);
+      return std::move(*value);
+    });
   } catch (const workflow::RefusedCase& error) {
-    rethrow_interruption();
     raise("CaseError", error.what());
   } catch (const io::UnusableResults& error) {
     raise("ResultsError", error.what());
@@ -266,18 +263,27 @@ PYBIND11_MODULE(_solver, module) {
       .def("results_json", &Solved::results_json)
       .def("finish",
            [](Solved& solved) {
-             const py::gil_scoped_release release;
-             const Turn turn;
-             return solved.finish();
+             return raising_interruptions([&] {
+               const py::gil_scoped_release release;
+               const Turn turn;
+               return solved.finish();
+             });
            })
-      .def("fields", &Solved::fields, py::arg("scale"))
-      .def("values_at", &Solved::values_at, py::arg("points"), py::arg("heights"));
+      .def(
+          "fields",
+          [](const Solved& solved, double scale) { return raising_interruptions([&] { return solved.fields(scale); }); },
+          py::arg("scale"))
+      .def(
+          "values_at",
+          [](const Solved& solved, const Points& points, const std::vector<double>& heights) {
+            return raising_interruptions([&] { return solved.values_at(points, heights); });
+          },
+          py::arg("points"), py::arg("heights"));
   // Fields and points are evaluated outside of computing().
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const plastron::geometry::FunctionError& error) {
-      rethrow_interruption();
       raise("CaseError", std::string("error: ") + error.what() + "\n");
     }
   });

@@ -185,7 +185,6 @@ class Function:
             return
         left = _COMPARED_PLACES - self._compared_places
         places = places[:: max(1, len(places) // left)][:left]  # spread over all places of the call
-        self._compared_places += len(places)
         numbers = [_number_of(self.arguments, axis) for axis in self.arguments]
         self._compare_with(self.f, places, numbers, "gradient")
         if self.second is not None:
@@ -193,6 +192,7 @@ class Function:
                 axes = [(min(axis, other), max(axis, other)) for other in self.arguments]
                 # The second derivative by `axis` and each other one is that of the entry of the gradient for `axis`.
                 self._compare_with(_entry(self.gradient, i), places, numbers, "second", [_number_of_pair(pair) for pair in axes])
+        self._compared_places += len(places)  # places of an interrupted comparison do not count
 
     def _compare_with(self, f: Callable[..., Any], places: Any, numbers: list[int], what: str, given_numbers: Any = None) -> None:
         try:
@@ -214,9 +214,10 @@ class Function:
             )
             raise FunctionError(self._wrong)
 
-    def _by_stencil(self, places: Any, numbers: Iterable[int]) -> Any:
-        """Values and derivatives from one call of f, at all places of a stencil."""
-        stencil = self._stencil(tuple(numbers), self._is_analytic(places))
+    def _by_stencil(self, places: Any, numbers: Iterable[int], is_complex: bool | None = None) -> Any:
+        """Values and derivatives from one call of f, at all places of a stencil. ``is_complex``: whether the step is complex; if it is
+        not given, the function is tried."""
+        stencil = self._stencil(tuple(numbers), self._is_analytic(places) if is_complex is None else is_complex)
         scale = self._length()
         step = self.step or 1e-3 * scale
         moved = (places[None, :, :] + stencil.offsets[:, None, :] * step).reshape(-1, len(_NAMES))
@@ -265,27 +266,27 @@ class Function:
         if self._takes_complex is None:
             first = tuple(_number_of(self.arguments, axis) for axis in self.arguments)
             exact = None
-            self._takes_complex = True
             try:
                 with np.errstate(all="raise"):
-                    exact = self._by_stencil(places, first)
+                    exact = self._by_stencil(places, first, is_complex=True)
             except Exception:  # any failure means that the function does not take complex numbers
                 pass
-            self._takes_complex = False
+            agrees = False
             if exact is not None:
-                values, differences = self._values(self.f, places), self._by_stencil(places, first)
+                values, differences = self._values(self.f, places), self._by_stencil(places, first, is_complex=False)
                 size = np.max(np.abs(differences)) + np.max(np.abs(values)) / self._length()
-                self._takes_complex = bool(np.all(np.abs(exact - differences) <= 1e-5 * size))
+                agrees = bool(np.all(np.abs(exact - differences) <= 1e-5 * size))
+            self._takes_complex = agrees  # at the end: Ctrl-C in f leaves the question open
         return self._takes_complex
 
     def _give(self, module: Any) -> None:
         """Makes the function known to a module as long as it lives."""
         if module.__name__ in self._known_to:
             return
-        self._known_to.add(module.__name__)
         function = weakref.ref(self)
         depends = [k in self.arguments for k in range(len(_NAMES))]
         module.give_function(self.name, depends, lambda *arguments: function()._answer(*arguments))  # type: ignore[union-attr]
+        self._known_to.add(module.__name__)
         weakref.finalize(self, module.forget_function, self.name)
 
     def _answer(self, *arguments: Any) -> Any:

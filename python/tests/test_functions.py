@@ -1,6 +1,10 @@
 """Functions of Python in cases, compared with expressions that say the same."""
 
 import gc
+import inspect
+import json
+import signal
+
 import conftest
 import numpy as np
 import plastron
@@ -186,26 +190,123 @@ class TestMistakes:
         with pytest.raises(plastron.CaseError, match="test_functions.py returns one number for"):
             quiet(plastron.solve, case)
 
-    def test_ctrl_c_in_a_function_is_no_mistake_of_the_case(self, case):
-        """At any of its first calls."""
-        calls = 0
-        for last in (1, 2, 3):
-
-            def interrupted(x, y):
-                nonlocal calls
-                calls += 1
-                if calls >= last:
-                    raise KeyboardInterrupt
-                return thickness(x, y)
-
-            calls = 0
-            with pytest.raises(KeyboardInterrupt):
-                quiet(plastron.solve, case.with_settings({"shell.thickness": interrupted}))
-        assert energy(case) > 0
-
     def test_values_without_a_meaning_are_refused(self, case):
         with pytest.raises(plastron.CaseError, match="thickness"):
             quiet(plastron.solve, case.with_settings({"shell.thickness": lambda x: 0 * x - 1}))
+
+
+HALF_SPACE = "half_space = { point = [0, 0, 0], normal = [0, 0, 1] }"
+AT_DISTANCE = STRIP.replace(HALF_SPACE, 'distance = "Z"')
+AT_HEIGHT = STRIP.replace(HALF_SPACE, 'height_field = { expression = "0" }')
+LOADED = STRIP.replace("force = [0, 0, -2e-5]", "force = [0, 0, -2e-5]\npressure = 0\ncouple = [0, 0, 0]")
+
+
+def parabola(x, y):
+    return 0.05 + 0.1 * x**2 * y
+
+
+def parabola_gradient(x, y):
+    return [0.2 * x * y, 0.1 * x**2]
+
+
+def parabola_second(x, y):
+    return [0.2 * y, 0.2 * x, 0 * x]
+
+
+def slope(X, Z):
+    return Z - 0.01 * X
+
+
+def slope_gradient(X, Z):
+    return [-0.01 + 0 * X, 1 + 0 * Z]
+
+
+# Every key of a case that takes a function, and every function that a Function takes: (text, key, function to interrupt, value of the key).
+INTERRUPTED = {
+    "thickness": (STRIP, "shell.thickness", thickness, lambda f: f),
+    "thickness of space": (STRIP, "shell.thickness", lambda X: 0.05 + 0.01 * X, lambda f: f),
+    "chart": (STRIP, "geometry.chart", parabola, lambda f: ["x", "y", f]),
+    "gradient": (STRIP, "geometry.chart", parabola_gradient, lambda f: ["x", "y", plastron.Function(parabola, f)]),
+    "second": (STRIP, "geometry.chart", parabola_second, lambda f: ["x", "y", plastron.Function(parabola, parabola_gradient, f)]),
+    "components": (STRIP, "geometry.chart", lambda x, y: (x, y, parabola(x, y)), lambda f: plastron.components(f)),
+    "force": (LOADED, "load[0].force", lambda x, y: -2e-5 * (1 + x * y), lambda f: [0, 0, f]),
+    "pressure": (LOADED, "load[0].pressure", lambda X, Y: 1e-6 * X * Y, lambda f: f),
+    "couple": (LOADED, "load[0].couple", lambda x: 1e-7 * x, lambda f: [0, f, 0]),
+    "support": (STRIP, "support[0].values", lambda y: -0.001 * y, lambda f: {"u.z": f}),
+    "distance": (AT_DISTANCE, "obstacle[0].distance", slope, lambda f: f),
+    "gradient of a distance": (AT_DISTANCE, "obstacle[0].distance", slope_gradient, lambda f: plastron.Function(slope, f)),
+    "height": (AT_HEIGHT, "obstacle[0].height_field.expression", lambda X, Y: 0.01 * np.sin(3 * X) * Y, lambda f: f),
+}
+
+
+class Interrupted:
+    """A function in which Ctrl-C is pressed at one of its calls, or from `self.is_pressed` on."""
+
+    def __init__(self, f, call=None):
+        self.f, self.call, self.calls, self.is_pressed = f, call, 0, False
+        self.__name__, self.__signature__ = "interrupted", inspect.signature(f)
+
+    def __call__(self, *arguments):
+        self.calls += 1
+        if self.calls == self.call or self.is_pressed:
+            signal.raise_signal(signal.SIGINT)
+        return self.f(*arguments)
+
+
+CHEAP = ("pressure", "couple", "support", "distance", "gradient of a distance")
+
+
+class TestInterruption:
+    @pytest.mark.parametrize("name", [name if name in CHEAP else pytest.param(name, marks=pytest.mark.slow) for name in INTERRUPTED])
+    def test_ctrl_c_in_a_function_is_a_keyboard_interrupt_at_any_call(self, name):
+        text, key, f, value = INTERRUPTED[name]
+        case = plastron.Case.from_text(text)
+        before = quiet(case.check)
+        counter = Interrupted(f)
+        quiet(case.with_settings({key: value(counter)}).check)
+        rng = np.random.default_rng(len(name))
+        calls = [1, rng.integers(1, min(20, counter.calls), endpoint=True), rng.integers(1, counter.calls, endpoint=True)]
+        for work, call in [*((plastron.Case.check, call) for call in calls), *((plastron.solve, call) for call in calls[:2])]:
+            function = Interrupted(f, call)
+            try:
+                quiet(work, case.with_settings({key: value(function)}))
+            except KeyboardInterrupt:
+                assert function.calls >= call
+            else:
+                pytest.fail(f"Ctrl-C in call {call} of {work.__name__} was lost")
+        assert quiet(case.check) == before
+
+    @pytest.mark.parametrize("name", ["thickness", "distance"])
+    def test_ctrl_c_while_files_are_written_leaves_the_result_as_it_was(self, name, tmp_path):
+        text, key, f, value = INTERRUPTED[name]
+        function = Interrupted(f)
+        solved = quiet(plastron.solve, plastron.Case.from_text(text).with_settings({key: value(function)}))
+        function.is_pressed = True
+        with pytest.raises(KeyboardInterrupt):
+            solved.save(tmp_path / "interrupted")
+        function.is_pressed = False
+        saved = solved.save(tmp_path / "saved")
+        results = json.loads((saved / "results.json").read_text())
+        assert sorted(results["files"]) == sorted({path.name for path in saved.iterdir()} - {"results.json"})
+        assert solved.verify()
+
+    @pytest.mark.parametrize("call", [1, 2, 3])
+    def test_ctrl_c_while_derivatives_are_tried_leaves_the_function_as_it_was(self, call):
+        """The function has a wrong complex derivative. The comparison with differences, which finds this, is interrupted."""
+        places = np.random.default_rng(call).uniform(-1, 1, (30, 5))
+        expected = plastron.Function(dome_that_is_not_analytic).evaluate(places, 0, 6)
+        function = plastron.Function(Interrupted(dome_that_is_not_analytic, call))
+        with pytest.raises(KeyboardInterrupt):
+            function.evaluate(places, 0, 6)
+        assert np.array_equal(function.evaluate(places, 0, 6), expected)
+
+    def test_ctrl_c_while_given_derivatives_are_compared_leaves_them_to_be_compared(self):
+        places = np.random.default_rng(1).uniform(0, 1, (30, 5))
+        function = plastron.Function(Interrupted(dome, 1), lambda x, y: [0 * x, 0 * y])
+        with pytest.raises(KeyboardInterrupt):
+            function.evaluate(places, 0, 3)
+        with pytest.raises(plastron.errors.FunctionError, match="has a wrong derivative"):
+            function.evaluate(places, 0, 3)
 
 
 class TestFiles:

@@ -154,6 +154,25 @@ TEST(Eigenvalues, are_not_there_when_the_shifted_matrix_is_indefinite) {
   EXPECT_TRUE(pairs.values.empty());
 }
 
+TEST(Eigenvalues, are_not_there_when_the_search_is_stopped) {
+  const Chain A(40, 0.1, 0.5), B(40, 1.0, 0.1);
+  int asked = 0;
+  for (const int last : {1, 5}) {
+    const auto pairs = algebra::smallest_eigenpairs(A.matrix, B.matrix, fixed_marks(*A.layout), 0,
+                                                    {.count = 4, .stop = [&, left = last]() mutable {
+                                                       ++asked;
+                                                       return left-- == 0;
+                                                     }});
+    EXPECT_TRUE(pairs.was_stopped);
+    EXPECT_FALSE(pairs.converged);
+    EXPECT_TRUE(pairs.values.empty());
+  }
+  EXPECT_EQ(asked, 2 + 6);
+  EXPECT_TRUE(algebra::smallest_eigenpairs(A.matrix, B.matrix, fixed_marks(*A.layout), 0,
+                                           {.count = 4, .stop = [] { return false; }})
+                  .converged);
+}
+
 // An exception of the operator reaches the caller, and SLEPc still works afterwards.
 TEST(Eigenvalues, pass_on_what_the_operator_throws) {
   const auto layout = layout_for(10, chain(10));

@@ -61,6 +61,8 @@ TEST(Explain, answers_what_cannot_be_computed_as_the_page_of_limits_does) {
   EXPECT_GE(rows, 10);
   EXPECT_THAT(answer({"explain", "buckling"}), HasSubstr("limit of the program"));
   EXPECT_THAT(answer({"explain", "yield"}), HasSubstr("plasticity"));
+  for (const char* word : {"point-load", "point_load"})
+    EXPECT_THAT(answer({"explain", word}), HasSubstr("point-loads"));
 }
 
 // ---- explain ---------------------------------------------------------------------------------------------------

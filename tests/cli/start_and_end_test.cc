@@ -297,6 +297,20 @@ bool has_finished_a_mesh(Running& run) {
   return false;
 }
 
+TEST(Modes, end_with_the_time_and_keep_the_solution) {
+  const Scratch scratch;
+  const std::string text = strip(0);
+  scratch.write("case.toml", text.substr(0, text.find("[mesh]")) + "[accuracy]\nenergy = 0.4\nmax_seconds = 1e-9\n");
+  const Outcome outcome = plastron({"modes", "case.toml", "-o", "out", "--buckling", "2"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+  const auto results = results_in(scratch.path / "out");
+  EXPECT_THAT(results.at("status_text").get<std::string>(),
+              HasSubstr("max_seconds = 1e-09 was over before the buckling loads were found"));
+  EXPECT_EQ(results.at("status"), "accuracy_not_reached");
+  EXPECT_TRUE(results.at("modes").empty());
+  EXPECT_GT(results.at("energy").get<double>(), 0);
+}
+
 TEST(Interruption, leaves_the_results_of_the_last_mesh_that_was_finished) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Scratch scratch;

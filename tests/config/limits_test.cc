@@ -50,6 +50,47 @@ std::string case_with(const std::string& chart, const std::string& domain = "dis
          " }\nchart = [\"x\", \"y\", \"" + chart + "\"]\n";
 }
 
+// ---- what the program cannot do ----------------------------------------------------------------------------------------
+
+/// Words of other programs, as sections and as keys: each names its row of docs/limits.md and what to do.
+TEST(UnknownWord, OfSpringsFrictionAndPointLoadsNamesTheLimitAndWhatToDo) {
+  struct Words {
+    const char* limit;
+    std::vector<std::string> sections, keys;
+    const char* advice;
+  };
+  const std::vector<Words> all{{"springs",
+                                {"spring", "springs", "foundation", "elastic_foundation", "elastic_support", "bed",
+                                 "elastic_bed", "bedding", "winkler", "subgrade"},
+                                {"[shell] foundation", "[shell] bed", "[[support]] spring", "[[support]] stiffness",
+                                 "[[support]] elastic", "[[obstacle]] spring", "[[obstacle]] stiffness"},
+                                "rigid supports"},
+                               {"friction",
+                                {"friction", "coulomb", "friction_coefficient"},
+                                {"[[obstacle]] friction", "[[obstacle]] mu", "[contact] friction",
+                                 "[[support]] friction", "[[obstacle]] friction_coefficient"},
+                                "supports instead of friction"},
+                               {"point-loads",
+                                {"force", "forces", "moment", "point_load", "point_loads", "point_force", "nodal_load",
+                                 "nodal_forces", "concentrated_load", "concentrated_force"},
+                                {"[[load]] point", "[[load]] at", "[[load]] node", "[[load]] point_load"},
+                                "a pressure on a small patch"}};
+  for (const auto& [limit, names, keys, advice] : all) {
+    const auto says = AllOf(HasSubstr("unknown"), HasSubstr(std::string("(docs/limits.md, ") + limit + ")"),
+                            HasSubstr(std::string("Instead: ") + advice));
+    for (const std::string& name : names)
+      for (const std::string& header : {"[" + name + "]", "[[" + name + "]]"})
+        EXPECT_THAT(refusal(case_with("0") + header + "\nk = 1\n"), says) << header;
+    for (const std::string& key : keys) {
+      const auto space = key.find(' ');
+      const std::string header = key.substr(0, space), line = key.substr(space + 1) + " = 1\n";
+      const std::string text = header == "[shell]" ? case_with("0", "disk = { radius = 1 }", "", "0.1\n" + line)
+                                                   : case_with("0") + header + "\n" + line;
+      EXPECT_THAT(refusal(text), says) << key;
+    }
+  }
+}
+
 // ---- nesting ---------------------------------------------------------------------------------------------------------
 
 TEST(Nesting, ThatIsTooDeepIsRefusedBeforeTheParserDescends) {

@@ -64,8 +64,9 @@ std::string cube() {
          quadrilateral(y, y + z, x + y + z, x + y) + "endsolid box\n";
 }
 
-FileSurface facet_surface(const std::string& text, SpaceReading reading = {}, std::optional<mesh::Shape> shape = {}) {
-  const written::TemporaryPath path(".stl");
+FileSurface facet_surface(const std::string& text, SpaceReading reading = {}, std::optional<mesh::Shape> shape = {},
+                          const std::string& name = ".stl") {
+  const written::TemporaryPath path(name);
   std::ofstream(path.path) << text;
   return read_surface({.path = path.path.string(), .in_space = std::move(reading)}, shape);
 }
@@ -170,6 +171,19 @@ TEST(FacetMesh, OfFeaturesNarrowerThanTheUsualCellsHasSmallerCellsOrThoseOfItsFa
   EXPECT_THAT(narrow.notes, AllOf(about("were divided into quadrilaterals"), about("larger cells fold")));
   EXPECT_THAT(facet_refusal(bump(2, 0.3), {.size = std::sqrt(1.0 / 20)}), HasSubstr("or take another size"));
   EXPECT_THAT(facet_surface(cube()).notes, testing::Not(about("larger cells fold")));
+}
+
+/// Names of files and folds are no reasons.
+TEST(FacetMesh, DoesNotDependOnTheWordsOfItsFile) {
+  for (const char* name : {".stl", " border.stl", " element .stl"}) {
+    EXPECT_THAT(facet_surface(bump(2, 0.3), {}, {}, name).notes, Contains(HasSubstr("larger cells fold")));
+    for (const char* fold : {"bend", " element ", "border"}) try {
+        facet_surface(cube(), {.folds = {fold}}, {}, name);
+        ADD_FAILURE() << "accepted";
+      } catch (const mesh::DomainError& error) {
+        EXPECT_THAT(error.what(), testing::Not(HasSubstr("cells that were made from the facets"))) << name << fold;
+      }
+  }
 }
 
 TEST(FacetMesh, IsTheSameOnEveryReading) {

@@ -221,10 +221,19 @@ TEST(InputRegions, are_the_sets_of_sections) {
                              "*ELSET,ELSET=Left\n1\n*ELSET,ELSET=right\n2\n*ELSET,ELSET=all\nleft,right\n"
                              "*SHELL SECTION,ELSET=LEFT,MATERIAL=A\n1.\n*SHELL GENERAL SECTION,ELSET=right\n1.\n");
   EXPECT_THAT(regions(data), ElementsAre("Left", "right"));
-  EXPECT_THAT(all_notes(data), HasSubstr("are no regions, because no section names them: \"all\""));
+  EXPECT_THAT(all_notes(data), HasSubstr("are no regions, because their elements belong to other regions: \"all\""));
   EXPECT_THAT(deck_refusal(strip + "*ELSET,ELSET=A\n1\n*ELSET,ELSET=B\n1,2\n*SHELL SECTION,ELSET=A\n1.\n"
                                    "*SHELL SECTION,ELSET=B\n1.\n"),
               HasSubstr("element 1 (line 9) lies in the sections of \"A\" and \"B\" (line 17)"));
+}
+
+TEST(InputRegions, are_also_the_sets_of_elements_without_a_section) {
+  const std::string section = "*SHELL SECTION,ELSET=Left\n1.\n", left = "*ELSET,ELSET=Left\n1\n";
+  EXPECT_THAT(regions(deck(strip + left + "*ELSET,ELSET=right\n2\n" + section)), ElementsAre("Left", "right"));
+  EXPECT_THAT(regions(deck(strip + left + section)), ElementsAre("Left", "rest"));
+  const MeshData both = deck(strip + left + "*ELSET,ELSET=both\n1,2\n" + section);
+  EXPECT_THAT(regions(both), ElementsAre("Left", "rest"));
+  EXPECT_THAT(all_notes(both), HasSubstr("because their elements belong to other regions: \"both\""));
 }
 
 TEST(InputRegions, are_otherwise_the_sets_of_element_blocks_then_those_that_do_not_overlap) {

@@ -126,6 +126,21 @@ TEST(Output, that_fails_keeps_the_results_of_an_earlier_run) {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
+TEST(Output, that_failed_is_written_once_the_reason_is_gone) {
+  const ScratchDirectory scratch("again");
+  const computation::Result result = computation::solve(pressed_plate({.refinements = 0}), MPI_COMM_WORLD);
+  const auto in_the_way = scratch.path / "contact-forces.csv";
+  if (world_rank() == 0) std::filesystem::create_directory(in_the_way);
+  MPI_Barrier(MPI_COMM_WORLD);
+  Output output(scratch.path, "solution", MPI_COMM_WORLD);
+  EXPECT_THROW(output.finish(result, {}), std::runtime_error);
+  if (world_rank() == 0) std::filesystem::remove(in_the_way);
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_THAT(output.finish(result, {}), UnorderedElementsAreArray(all_files));
+  EXPECT_THAT(scratch.names(), UnorderedElementsAreArray(all_files));
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
 /// The events in a directory: "- NAME" when a file is removed, "+ NAME" when one gets its name.
 class Watch {
  public:

@@ -143,13 +143,70 @@ TEST(Report, shows_no_pressure_below_zero_between_nodes) {
   EXPECT_GE(*std::ranges::min_element(eta), 0);
 }
 
-TEST(Report, sets_estimated_errors_beside_those_that_were_asked_for) {
-  Json results = results_json(solved({.degree = 2, .refinements = 2}), {});
-  results["estimates"]["goals"][0]["tolerance"] = 1e-9;
-  results["status"] = "accuracy_not_reached";
+/// The row of a goal in the table of estimated errors.
+std::string goal_row(Json results, const std::string& status, const Json& goal) {
+  results["status"] = status;
+  Json& only = results["estimates"]["goals"] = Json::array({results["estimates"]["goals"][0]});
+  only[0].update(goal);
   const std::string page = report_html(results, nullptr);
-  EXPECT_THAT(page, HasSubstr("data-path=\"estimates/goals/0/tolerance\""));
-  EXPECT_THAT(page, HasSubstr("<strong>missed</strong>"));
+  const std::size_t table = page.find("<section id=\"estimates\">"),
+                    begin = page.find("<tr", page.find("<tbody>", table));
+  return page.substr(begin, page.find("</tr>", begin) - begin);
+}
+
+TEST(Report, says_which_accuracy_is_reached_by_the_rule_of_the_accuracy) {
+  const Json results = results_json(solved({.degree = 2, .refinements = 2}), {});
+  const auto missed = HasSubstr("<strong>missed</strong>"), reached = HasSubstr("&#10003; reached");
+  struct Row {
+    Json goal;
+    bool is_reached;
+  };
+  for (const auto& [goal, is_reached] :
+       {Row{{{"value", 1}, {"error", 4e-4}, {"scale", 1}, {"tolerance", 1e-3}}, true},
+        Row{{{"value", 1}, {"error", 6e-4}, {"scale", 1}, {"tolerance", 1e-3}}, false},      // twice the error counts
+        Row{{{"value", 1e-15}, {"error", 1e-12}, {"scale", 1}, {"tolerance", 1e-3}}, true},  // a sum that cancels
+        Row{{{"value", 0}, {"error", 0}, {"scale", 0}, {"tolerance", 1e-3}}, true},  // an obstacle without contact
+        Row{{{"value", 1}, {"error", 0}, {"scale", 1}, {"tolerance", 1e-3}, {"has_dual", false}}, false},
+        Row{{{"value", 1}, {"error", nullptr}, {"scale", 1}, {"tolerance", 1e-3}}, false}}) {
+    const std::string row = goal_row(results, "accuracy_not_reached", goal);
+    EXPECT_THAT(row, is_reached ? reached : missed) << goal;
+    EXPECT_EQ(row.starts_with("<tr class=\"missed\">"), !is_reached) << row;
+    EXPECT_THAT(row, HasSubstr("data-path=\"estimates/goals/0/tolerance\""));
+    EXPECT_THAT(goal_row(results, "solved", goal), reached) << goal;
+  }
+  EXPECT_THAT(goal_row(results, "inaccurate", {{"tolerance", nullptr}}), Not(testing::AnyOf(missed, reached)));
+}
+
+TEST(Report, mutes_forces_that_are_rounding_beside_the_contact_pressures) {
+  Json results = results_json(solved({.degree = 2, .refinements = 2}), {});
+  const auto forces = [&](const std::string& id) {
+    const std::string page = report_html(results, nullptr);
+    const std::size_t begin = page.find("<section id=\"" + id + "\">");
+    return page.substr(begin, page.find("</section>", begin) - begin);
+  };
+  const double force = results["contact"]["max_pressure"].get<double>() * results["contact"]["area"].get<double>();
+  const auto set = [&](double value) {
+    for (const char* path : {"/loads/force", "/support_reaction/force", "/obstacles/0/reaction/force",
+                             "/obstacles/0/zones/0/reaction/force"})
+      results[Json::json_pointer(path)] = {value, 0, 0};
+  };
+  const std::string muted = "class=\"number rounding\" data-path=\"obstacles/0/";
+  set(1e-12 * force);  // a ring on a shaft: large pressures without a sum
+  EXPECT_THAT(forces("balance"), HasSubstr(muted + "reaction/force/0"));
+  EXPECT_THAT(forces("contact"), HasSubstr(muted + "zones/0/reaction/force/0"));
+  set(1e-3 * force);
+  EXPECT_THAT(forces("balance"), Not(HasSubstr(muted + "reaction/force/0")));
+  EXPECT_THAT(forces("contact"), Not(HasSubstr(muted + "zones/0/reaction/force/0")));
+}
+
+TEST(Report, has_the_units_of_the_case) {
+  Provenance provenance;
+  provenance.units = {"mm", "N"};
+  const std::string page = report_html(results_json(solved({.degree = 2, .refinements = 2}), provenance), nullptr);
+  const std::size_t begin = page.find("<section id=\"certificate\">");
+  const std::string certificate = page.substr(begin, page.find("</section>", begin) - begin);
+  for (const char* cell : {">MPa</td>", ">mm</td>", ">MPa mm</td>"}) EXPECT_THAT(certificate, HasSubstr(cell));
+  for (const char* other : {">Pa</td>", ">m</td>", ">Pa m</td>"}) EXPECT_THAT(page, Not(HasSubstr(other)));
 }
 
 TEST(Report, merges_cells_to_blocks_where_there_are_too_many_points) {

@@ -146,6 +146,20 @@ const tests = {
     const { width, height } = await stage.boundingBox();
     assert.ok(changed > (width * height) / 4, `${changed} pixels`);
   },
+  async 'shows the table of meshes on a page of 1000 pixels, each row in one line'() {
+    await page.setViewportSize({ width: 1000, height: 850 });
+    // The longest numbers that the table can have.
+    await page.locator('#levels tbody tr').first().locator('td').evaluateAll((cells) => {
+      const texts = ['19', '123456', '12345678', '1234', ...Array(2).fill('-1.234567e-05'), '123456', ...Array(2).fill('-1.234567e-05'), '1234.567'];
+      cells.forEach((cell, i) => { cell.textContent = texts[i]; });
+    });
+    const { room, width, heights, line } = await page.locator('#levels .wide').evaluate((box) => ({
+      room: box.clientWidth, width: box.scrollWidth, heights: [...box.querySelectorAll('tr')].map((row) => row.offsetHeight),
+      line: parseFloat(getComputedStyle(box.querySelector('td')).lineHeight),
+    }));
+    assert.ok(width <= room, `${width} > ${room}`);
+    assert.ok(heights.every((height) => height < 2 * line), `${heights}, lines of ${line}`);
+  },
   async 'fits a phone'() {
     await page.setViewportSize({ width: 400, height: 850 });
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 400);

@@ -218,7 +218,12 @@ void find_multiples(const SelfAdjointOperator& T, End end, const EigenSettings& 
 
 }  // namespace
 
-Eigenpairs eigenpairs(const SelfAdjointOperator& T, End end, const EigenSettings& settings) {
+namespace {
+
+/// Passes through SLEPc as an exception of the operator.
+struct Stopped {};
+
+Eigenpairs pairs_of(const SelfAdjointOperator& T, End end, const EigenSettings& settings) {
   const PetscUse petsc;
   Solver solver(T, end);
   const int count = static_cast<int>(std::min<std::int64_t>(settings.count, solver.size()));
@@ -227,6 +232,22 @@ Eigenpairs eigenpairs(const SelfAdjointOperator& T, End end, const EigenSettings
   pairs.applications = solver.applications();
   if (count > 1) find_multiples(T, end, settings, pairs);
   return pairs;
+}
+
+}  // namespace
+
+Eigenpairs eigenpairs(const SelfAdjointOperator& T, End end, const EigenSettings& settings) {
+  if (!settings.stop) return pairs_of(T, end, settings);
+  SelfAdjointOperator stoppable = T;
+  stoppable.apply = [&](const Vector& x, Vector& y) {
+    if (settings.stop()) throw Stopped();
+    T.apply(x, y);
+  };
+  try {
+    return pairs_of(stoppable, end, settings);
+  } catch (const Stopped&) {
+    return {.was_stopped = true};
+  }
 }
 
 Eigenpairs smallest_eigenpairs(const Matrix& A, const Matrix& B, std::span<const char> fixed, double shift,

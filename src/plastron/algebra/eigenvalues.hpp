@@ -6,6 +6,7 @@
 #include <plastron/algebra/krylov.hpp>
 #include <plastron/algebra/matrix.hpp>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,10 +19,13 @@ struct EigenSettings {
   int count = 1;            ///< number of eigenvalues, from the end of the spectrum inwards
   double tolerance = 1e-9;  ///< |T x - theta x| <= tolerance |theta| in the norm of B
   int max_restarts = 300;
+  /// Asked before each application of T. All ranks stop together: it gives the same on all of them.
+  std::function<bool()> stop{};
 };
 
 struct Eigenpairs {
   bool converged = false;         ///< whether all converged
+  bool was_stopped = false;       ///< by EigenSettings::stop; then there are no values
   std::vector<double> values{};   ///< theta, from the end inwards
   std::vector<Vector> vectors{};  ///< x' B x = 1, zero where fixed, with valid ghosts
   int applications = 0;           ///< number of applications of T

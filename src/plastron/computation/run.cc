@@ -38,12 +38,14 @@ bool Run::is_out_of_time() const {
          !wants_to_stop(asked_, comm);
 }
 
+bool Run::is_time_over() const {
+  return problem.accuracy && algebra::max_over_ranks(since_start.seconds(), comm) > problem.accuracy->max_seconds;
+}
+
 bool Run::has_time_for(const problem::Instant& instant) {
-  if (!problem.accuracy) return true;
-  const double max_seconds = problem.accuracy->max_seconds;
-  if (algebra::max_over_ranks(since_start.seconds(), comm) <= max_seconds) return true;
+  if (!is_time_over()) return true;
   missed_accuracy += fmt::format("{}max_seconds = {:g} was over before time {:g}", missed_accuracy.empty() ? "" : "; ",
-                                 max_seconds, instant.time);
+                                 problem.accuracy->max_seconds, instant.time);
   if (at) missed_accuracy += fmt::format(", and the result is that of time {:g}", at->time);
   return false;
 }
@@ -202,12 +204,30 @@ bool Run::has_checked_model() {
   return false;
 }
 
+void Run::give_up_modes(Mode::Kind kind) {
+  if (wants_to_stop(asked_, comm)) {
+    result.status = contact::Status::interrupted;
+    return;
+  }
+  const std::string text =
+      fmt::format("max_seconds = {:g} was over before the {} were found", problem.accuracy->max_seconds,
+                  kind == Mode::Kind::buckling ? "buckling loads" : "natural frequencies");
+  if (result.status == contact::Status::solved)
+    missed_accuracy += (missed_accuracy.empty() ? "" : "; ") + text;
+  else
+    warn({text});
+}
+
 void Run::find_modes() {
   using enum contact::Status;
   if (result.status != solved && result.status != inaccurate && result.status != unstable) return;
+  const auto stop = [&] { return wants_to_stop(asked_, comm) || is_time_over(); };
   const auto find = [&](Mode::Kind kind, int count, const auto& modes_of) {
-    if (count == 0) return;
-    finite::Modes found = modes_of(*solution().discrete, solution().nodal, count);
+    if (count == 0 || result.status == interrupted) return;
+    finite::Modes found;
+    found.was_stopped = stop();
+    if (!found.was_stopped) found = modes_of(*solution().discrete, solution().nodal, count, stop);
+    if (found.was_stopped) return give_up_modes(kind);
     for (std::size_t i = 0; i < found.values.size(); ++i) {
       const Mode mode{.kind = kind, .number = static_cast<int>(i) + 1, .value = found.values[i]};
       result.modes.push_back(mode);
@@ -279,7 +299,7 @@ Result Run::finish() {
     }
     warn(load_warnings(problem, result));
     warn(linear_model_warnings(result));
-    warn(jump_warnings(result));
+    warn(jump_warnings(problem, result));
     warn(control_warnings(result));
     warn(stability_warnings(result));
     warn(geometry_warnings(result));

@@ -60,6 +60,8 @@ class Run {
   bool is_interrupted();
   /// Whether only the clock stopped a mesh, so that the previous one is the result (collective).
   bool is_out_of_time() const;
+  /// Whether max_seconds is over (collective).
+  bool is_time_over() const;
   /// Whether max_seconds leaves time for an instant. A running instant is not stopped, because the previous solution no
   /// longer exists (collective).
   bool has_time_for(const problem::Instant& instant);
@@ -116,6 +118,8 @@ class Run {
   void recover();
   /// Computes the modes about the last solution (collective).
   void find_modes();
+  /// Says why modes are not looked for any longer: the caller requests the end, or the time is over (collective).
+  void give_up_modes(Mode::Kind kind);
   /// Whether the solution at an instant is compared: the last one, and others that have moved much farther.
   bool wants_model_check(const problem::Instant& instant) const;
   /// Sets the worst status, so that a solved end does not hide a missed limit of an earlier instant.

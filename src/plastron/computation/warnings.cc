@@ -207,18 +207,36 @@ std::vector<std::string> linear_model_warnings(const Result& result) {
   return warnings;
 }
 
-std::vector<std::string> jump_warnings(const Result& result) {
-  std::string when;
+std::vector<std::string> jump_warnings(const problem::Problem& problem, const Result& result) {
+  // The way from the start, and a step that chooses its parts, were divided before a jump was accepted (step_control.hpp).
+  const auto is_divided = [&](const HistoryEntry& instant) {
+    const auto step = std::ranges::find(problem.steps, instant.step, &problem::Step::name);
+    return &instant == &result.history.front() || (step != problem.steps.end() && step->chooses_parts);
+  };
+  std::string snaps, jumps;
   for (const HistoryEntry& instant : result.history)
-    if (instant.level.has_jumped) when += fmt::format("{}{:g}", when.empty() ? " at time " : ", ", instant.time);
+    if (instant.level.has_jumped) {
+      std::string& when = is_divided(instant) ? snaps : jumps;
+      when += fmt::format("{}{:g}", when.empty() ? " at time " : ", ", instant.time);
+    }
+  const bool is_single = result.history.empty();  // its first mesh goes the way from the start
+  const bool has_snapped = is_single ? !result.levels.empty() && result.levels.front().has_jumped : !snaps.empty();
   const bool has_jumped =
-      result.history.empty() ? std::ranges::any_of(result.levels, &Level::has_jumped) : !when.empty();
-  if (!has_jumped) return {};
-  return {
-      fmt::format("the shell snaps to another equilibrium{}: during the iteration a motion lost its stiffness; it need "
-                  "not be the equilibrium that follows in time; solve it in [[step]]s of more parts to see where it "
-                  "snaps",
-                  when)};
+      is_single ? !has_snapped && std::ranges::any_of(result.levels, &Level::has_jumped) : !jumps.empty();
+  std::vector<std::string> warnings;
+  if (has_snapped)
+    warnings.push_back(fmt::format(
+        "the shell snaps to another equilibrium{}: during the iteration a motion lost its stiffness, in short "
+        "parts of the way, too, so that shorter ones do not help; it need not be the equilibrium that follows "
+        "in time; `control` in a [[step]] follows the equilibria through a snap of loads",
+        snaps));
+  if (has_jumped)
+    warnings.push_back(fmt::format(
+        "the shell jumps to another equilibrium{}: during the iteration a motion lost its stiffness; it need not "
+        "be the equilibrium that follows in time; parts = \"auto\" in a [[step]] shows whether the shell snaps, "
+        "and where",
+        jumps));
+  return warnings;
 }
 
 std::vector<std::string> control_warnings(const Result& result) {

@@ -20,8 +20,8 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem);
 std::vector<std::string> linear_model_warnings(const Result& result);
 /// Returns a warning if the loads do not move the displacement that is to control them.
 std::vector<std::string> control_warnings(const Result& result);
-/// Returns a warning on snaps between states with finite rotations.
-std::vector<std::string> jump_warnings(const Result& result);
+/// Returns warnings on snaps between states with finite rotations. Where the program has divided the way, more parts do not help.
+std::vector<std::string> jump_warnings(const problem::Problem& problem, const Result& result);
 /// Returns warnings on equilibria with finite rotations that are nearly critical, or stable only because of weak contact.
 std::vector<std::string> stability_warnings(const Result& result);
 

@@ -72,7 +72,8 @@ std::vector<Section> accuracy_sections() {
                 "does not suffice, the status is accuracy_not_reached"),
             key("max_seconds", &problem::Accuracy::max_seconds, {.unit = "s", .range = Range::positive()},
                 "time limit: a mesh is not started if it would end later, with the steps on it; every mesh except the "
-                "first stops at the limit. If the time does not suffice, the status is accuracy_not_reached")},
+                "first stops at the limit, and so does the search for modes. If the time does not suffice, the status "
+                "is accuracy_not_reached")},
            {},
            "tolerances of other numbers of results.json, with their names in quotes: \"probe.NAME.u.z\" and other "
            "components of u, r, N, M, Q; \"probe.NAME.stress_upper.11\", stress_middle, stress_lower, .von_mises; "

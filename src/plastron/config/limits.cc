@@ -33,7 +33,7 @@ const std::vector<Limit>& limits() {
        "`layers` in `results.json` has the stresses of each layer",
        "a failure criterion on `layers`; a layerwise or solid program for soft cores"},
       {"friction",
-       {"mu", "friction_coefficient"},
+       {"mu", "friction-coefficient", "coulomb"},
        "Contact forces act along the normal of the obstacle only.",
        "supports must prevent motions along the obstacle; `check` names motions that are free",
        "supports instead of friction, or a program with friction"},
@@ -64,19 +64,21 @@ const std::vector<Limit>& limits() {
        "not shown",
        "a general program"},
       {"springs",
-       {"spring", "foundation", "foundations", "elastic-foundation", "bed", "bedding", "winkler", "support.stiffness",
-        "obstacle.stiffness"},
+       {"spring", "foundation", "foundations", "elastic-foundation", "elastic-support", "bed", "elastic-bed", "bedding",
+        "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness"},
        "Supports prescribe displacements, and obstacles are rigid: no springs and no elastic foundation.",
        "not shown",
        "rigid supports, or a general program"},
       {"point-loads",
-       {"point-load", "point_load", "nodal-load", "load.point", "load.at", "load.node"},
+       {"point-load", "point-force", "point-forces", "nodal-load", "nodal-loads", "nodal-force", "nodal-forces",
+        "concentrated-load", "concentrated-loads", "concentrated-force", "concentrated-forces", ".force", ".forces",
+        ".moment", ".moments", "load.point", "load.at", "load.node", "load.nodes"},
        "Loads act on areas, edges and rigid bodies. A force at a point would move it without limit as the mesh is "
        "refined.",
        "not shown",
        "a pressure on a small patch by an expression, or a small obstacle with a `force`"},
       {"load-cases",
-       {"load-case", "load_case", "load_cases", "loadcase", "combinations"},
+       {"load-case", "loadcase", "loadcases", "combinations"},
        "A case has one set of loads, and steps change all of them together.",
        "not shown",
        "a file for each set, `--set`, or `plastron.combine()` in Python"},
@@ -90,8 +92,10 @@ const std::vector<Limit>& limits() {
   return all;
 }
 
-const Limit* limit_of(std::string_view section, std::string_view word) {
-  const std::string key = std::string(section) + "." + std::string(word);
+const Limit* limit_of(std::string_view section, std::string_view given) {
+  std::string word(given);
+  std::ranges::replace(word, '_', '-');
+  const std::string key = std::string(section) + "." + word;
   const auto names = [&](const Limit& limit) {
     return limit.name == word || std::ranges::find(limit.aliases, word) != limit.aliases.end() ||
            std::ranges::find(limit.aliases, key) != limit.aliases.end();

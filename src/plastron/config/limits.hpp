@@ -9,7 +9,8 @@ namespace plastron::config {
 
 struct Limit {
   std::string name;
-  std::vector<std::string> aliases;  ///< other words; "load.point" is the key of a section
+  std::vector<std::string>
+      aliases;  ///< other words, "-" for "_"; "load.point" is the key of a section, ".force" a section
   std::string left_out, shows, advice;
 };
 

@@ -1,9 +1,9 @@
 // Reads the mesh of Abaqus and CalculiX input files: shell elements, their regions, boundaries and normals.
 //
-// Regions are the sets of elements that sections name. A file without sections has these regions, unless they share
-// elements, where the first wins: the ELSETs of *ELEMENT, the sets of *ELSET (a set of all elements comes last), the
+// An element is in one region. Regions are the sets of elements that sections name. Elements without a section have these regions,
+// unless they share elements, where the first wins: the ELSETs of *ELEMENT, the sets of *ELSET (a set of all elements comes last), the
 // surfaces of whole sides, and the ELSETs "Surface7" that Gmsh gives to its surfaces. All other elements are the region
-// "rest".
+// "rest". A note lists the sets that are no regions.
 //
 // Boundaries are sides of elements. A set of nodes names the border sides that have all of their nodes in it. If no
 // border side has, it names the sides between elements that have. A surface names sides by labels. A set of line
@@ -88,7 +88,7 @@ class InpMesh {
   std::vector<InpNodeNormal> given_normals();
   std::string name_of(const InpSets& sets, const InpSet& set) const;
   int group(int dimension, const std::string& name);
-  bool name_sections();
+  void name_sections();
   std::vector<Candidate> candidates();
   void name_rest();
   CellSide* side_of(std::size_t cell, int side);
@@ -143,14 +143,12 @@ int InpMesh::group(int dimension, const std::string& name) {
   return found->second;
 }
 
-/// Makes regions of the sets that sections name. Returns false if they have no cells.
-bool InpMesh::name_sections() {
-  bool has_cells = false;
+/// Makes regions of the sets that sections name.
+void InpMesh::name_sections() {
   for (const InpUse& use : deck_.sections) {
     const InpSet& set = deck_.element_sets.all[elements_.find(use)];
     const std::string name = name_of(deck_.element_sets, set);
     for (const std::int64_t cell : cells_.among(elements_.of(elements_.find(use)))) {
-      has_cells = true;
       const int region = group(2, name);
       if (region_[cell] != 0 && region_[cell] != region)
         refuse(fmt::format("{} lies in the sections of \"{}\" and \"{}\" (line {})", place_of(data_.elements[cell]),
@@ -158,7 +156,6 @@ bool InpMesh::name_sections() {
       region_[cell] = region;
     }
   }
-  return has_cells;
 }
 
 /// Sets of cells that may be regions, in the order of their rights.
@@ -179,20 +176,19 @@ std::vector<InpMesh::Candidate> InpMesh::candidates() {
 
 void InpMesh::name_regions() {
   region_.assign(data_.elements.size(), 0);
-  const bool has_sections = name_sections();
+  name_sections();
   std::vector<std::string> unused;
   for (const Candidate& candidate : candidates()) {
     const auto free = [&](std::int64_t cell) { return region_[cell] == 0; };
     const auto number = group_numbers_.find({2, candidate.name});
     const int own = number == group_numbers_.end() ? 0 : number->second;
-    if (!has_sections && std::ranges::all_of(candidate.cells, free))
+    if (std::ranges::all_of(candidate.cells, free))
       for (const std::int64_t cell : candidate.cells) region_[cell] = group(2, candidate.name);
     else if (std::ranges::any_of(candidate.cells, [&](std::int64_t cell) { return region_[cell] != own; }))
       unused.push_back(candidate.name);
   }
   if (!unused.empty())
-    note(fmt::format("sets of elements that are no regions, because {}: {}",
-                     has_sections ? "no section names them" : "their elements belong to other regions",
+    note(fmt::format("sets of elements that are no regions, because their elements belong to other regions: {}",
                      name_list(unused)));
   name_rest();
   for (std::size_t c = 0; c < region_.size(); ++c) data_.elements[c].groups = group_set(data_, {region_[c]});

@@ -8,17 +8,21 @@
 #include <plastron/mesh/surface_patches.hpp>
 #include <plastron/topology/disjoint_sets.hpp>
 #include <plastron/topology/surface_flaws.hpp>
+#include <plastron/topology/surface_patch.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
 namespace plastron::domain {
 
 namespace {
+
+using About = topology::SurfaceError::About;
 
 /// The cells of a file and its groups.
 class SpaceCells {
@@ -81,20 +85,23 @@ std::vector<std::string> messages_of(const std::vector<topology::Flaw>& flaws) {
   return messages;
 }
 
-std::string text_of(const std::vector<topology::Flaw>& flaws) {
-  return fmt::format("{}", fmt::join(messages_of(flaws), "; also: "));
+topology::SurfaceError error_of(const std::vector<topology::Flaw>& flaws) {
+  const bool has_gaps = std::ranges::count(flaws, About::border, &topology::Flaw::about) > 0;
+  return {has_gaps ? About::border : About::cells, fmt::format("{}", fmt::join(messages_of(flaws), "; also: "))};
 }
 
-/// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws DomainError where there
+/// Returns the mesh whose nodes are moved along the directors by parts of the thickness. Throws SurfaceError where there
 /// are folds, or two thicknesses at a node.
 topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopology& topology,
                              const std::vector<std::string>& regions) {
   const topology::SpaceMesh& mesh = topology.mesh;
   for (const topology::SurfaceEdge& edge : topology.edges)
     if (edge.kind == topology::EdgeKind::fold || edge.kind == topology::EdgeKind::branch)
-      throw mesh::DomainError(fmt::format(
-          "the surface has a fold at {}, where an offset would tear it; mesh the mid-surface of a part with folds",
-          topology::place_of(mesh.nodes[static_cast<std::size_t>(edge.ends[0])])));
+      throw topology::SurfaceError(
+          About::surface,
+          fmt::format(
+              "the surface has a fold at {}, where an offset would tear it; mesh the mid-surface of a part with folds",
+              topology::place_of(mesh.nodes[static_cast<std::size_t>(edge.ends[0])])));
   topology::SpaceMesh moved = mesh;
   std::vector<double> distance(mesh.nodes.size(), 0);
   std::vector<bool> is_set(mesh.nodes.size(), false);
@@ -106,10 +113,10 @@ topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopolo
       const double e = offset.thickness_of(region)(geometry::Place{0, 0, at[0], at[1], at[2]});
       constexpr double rounding = 1e-9;
       if (is_set[node] && std::abs(distance[node] - offset.part * e) > rounding * std::abs(distance[node]))
-        throw mesh::DomainError(
-            fmt::format("at {} two regions of different thickness meet, where an offset would tear the "
-                        "surface; let the thickness be continuous, or mesh the mid-surface",
-                        topology::place_of(at)));
+        throw topology::SurfaceError(
+            About::surface, fmt::format("at {} two regions of different thickness meet, where an offset would tear the "
+                                        "surface; let the thickness be continuous, or mesh the mid-surface",
+                                        topology::place_of(at)));
       distance[node] = offset.part * e;
       is_set[node] = true;
       const auto copy = static_cast<std::size_t>(topology.cell_director_nodes[c][i]);
@@ -121,7 +128,10 @@ topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopolo
 /// The director nodes on a named curve and the plane in which they lie.
 class CurveInPlane {
  public:
-  CurveInPlane(int boundary, const FileSurface& surface) : topology_(surface.topology) {
+  CurveInPlane(int boundary, const FileSurface& surface)
+      : topology_(surface.topology), tables_(topology_.mesh.shape, [shape = topology_.mesh.shape](int order) {
+          return mesh::lattice(shape, order);
+        }) {
     for (const NamedEdge& named : surface.named_edges) {
       if (named.boundary != boundary) continue;
       const topology::SurfaceEdge& edge = topology_.edges[named.edge];
@@ -131,10 +141,17 @@ class CurveInPlane {
 
   const std::set<std::int32_t>& nodes() const { return nodes_; }
 
+  /// How well the mesh knows a direction on the curve [rad]: half of the angle at which its cells meet there, and no better than the
+  /// digits of a file. An angle of more than a degree is no error of a mesh that could be computed with.
+  double accuracy() const {
+    constexpr double digits = 1e-3, most = 0.02;
+    return std::clamp(largest_angle_, digits, most);
+  }
+
   /// The unit normal of the plane of the nodes; for a straight curve, of the plane of the curve and its mean director.
-  /// Empty if there is no such plane.
+  /// Empty if a chord leaves the plane at a larger angle than the accuracy.
   std::optional<Vector3d> normal() const {
-    constexpr double flat = 1e-6;  // relative to the extent
+    constexpr double straight = 1e-3;  // [rad]
     Vector3d mean = Vector3d::Zero(), director = Vector3d::Zero();
     for (const std::int32_t node : nodes_) {
       mean += place(node) / static_cast<double>(nodes_.size());
@@ -143,17 +160,30 @@ class CurveInPlane {
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (const std::int32_t node : nodes_) moments += (place(node) - mean) * (place(node) - mean).transpose();
     const auto eigen = geometry::symmetric_eigen(moments);
-    const double extent = std::sqrt(eigen.values[2]);
-    if (std::sqrt(std::max(0.0, eigen.values[0])) > flat * extent) return {};
-    if (std::sqrt(std::max(0.0, eigen.values[1])) > flat * extent) return Vector3d(eigen.vectors.col(0));
     const Vector3d along = eigen.vectors.col(2), across = along.cross(director);
-    return across.norm() > 0 ? std::optional(Vector3d(across.normalized())) : std::nullopt;
+    const bool is_straight =
+        std::ranges::all_of(chords_, [&](const Vector3d& chord) { return chord.cross(along).norm() <= straight; });
+    const Vector3d n = is_straight ? across : Vector3d(eigen.vectors.col(0));
+    if (!(n.norm() > 0)) return {};
+    const Vector3d unit = n.normalized();
+    const bool is_plane =
+        std::ranges::all_of(chords_, [&](const Vector3d& chord) { return std::abs(chord.dot(unit)) <= accuracy(); });
+    return is_plane ? std::optional(unit) : std::nullopt;
   }
 
  private:
   void add(const mesh::MeshEdge& side) {
-    for (const int place : topology::ascending_places(topology_.mesh, side))
-      nodes_.insert(topology_.cell_director_nodes[side.cell][static_cast<std::size_t>(place)]);
+    const topology::SurfaceCell& cell = topology_.mesh.cells[side.cell];
+    const topology::PatchPoints points = topology::patch_points(tables_(cell.order), topology_.mesh, cell);
+    std::int32_t last = -1;
+    for (const int at : topology::ascending_places(topology_.mesh, side)) {
+      const std::int32_t node = topology_.cell_director_nodes[side.cell][static_cast<std::size_t>(at)];
+      nodes_.insert(node);
+      const Vector3d& director = topology_.director_nodes[static_cast<std::size_t>(node)].director;
+      largest_angle_ = std::max(largest_angle_, topology::angle_between(director, points.normal(at)));
+      if (last >= 0) chords_.push_back((place(node) - place(last)).normalized());
+      last = node;
+    }
   }
   const Vector3d& place(std::int32_t node) const {
     return topology_.mesh
@@ -161,7 +191,10 @@ class CurveInPlane {
   }
 
   const topology::SurfaceTopology& topology_;
+  topology::PatchTables<std::function<std::vector<Eigen::Vector2d>(int)>> tables_;
   std::set<std::int32_t> nodes_{};
+  std::vector<Vector3d> chords_{};  ///< directions between neighbouring nodes
+  double largest_angle_ = 0;        ///< between a director and the normal of a cell there [rad]
 };
 
 /// Makes the topology of a file's cells and finds its named edges.
@@ -178,7 +211,7 @@ class SurfaceReader {
     new_number_ = std::move(merged.new_number);
     const topology::SurfaceFlaws flaws =
         topology::find_flaws(merged.mesh, reading_.has_slits ? topology::FlawLimits{.gap = 0} : topology::FlawLimits{});
-    if (!flaws.errors.empty()) throw mesh::DomainError(text_of(flaws.errors));
+    if (!flaws.errors.empty()) throw error_of(flaws.errors);
     const topology::SurfaceOptions options{
         .smooth_angle = reading_.smooth_angle, .upper = reading_.upper, .folds = named_folds()};
     FileSurface surface = named(topology::surface_topology(std::move(merged.mesh), options));
@@ -211,8 +244,9 @@ class SurfaceReader {
   void check_folds() const {
     for (const std::string& fold : reading_.folds)
       if (std::ranges::find(boundaries(), fold) == boundaries().end())
-        throw mesh::DomainError(fmt::format("there is no curve \"{}\" that could be a fold; the file has: {}", fold,
-                                            fmt::join(boundaries(), ", ")));
+        throw topology::SurfaceError(
+            About::surface, fmt::format("there is no curve \"{}\" that could be a fold; the file has: {}", fold,
+                                        fmt::join(boundaries(), ", ")));
   }
 
   /// Calls visit(line element, its ends after merging, group) for each line in a group.
@@ -340,13 +374,12 @@ class SurfaceMesher {
   mesh::CoarseMesh mesh_{};
 };
 
-/// Throws DomainError with the name of the file in front.
+/// Adds the name of the file to errors of its surface.
 FileSurface surface_of(const MeshData& data, const SpaceReading& reading, std::optional<mesh::Shape> shape) {
   try {
     return SurfaceReader(data, reading, shape)();
-  } catch (const mesh::DomainError& error) {
-    const std::string text = error.what();
-    throw mesh::DomainError(text.starts_with(data.source) ? text : fmt::format("{}: {}", data.source, text));
+  } catch (const topology::SurfaceError& error) {
+    throw topology::SurfaceError(error.about, fmt::format("{}: {}", data.source, error.what()));
   }
 }
 
@@ -366,11 +399,12 @@ FileSurface surface_of_facets(const MeshFile& file, std::optional<mesh::Shape> s
       if (part < 1)
         surface.notes.emplace_back("larger cells fold at small features of the part; to choose their sides, set size");
       return surface;
-    } catch (const mesh::DomainError& error) {
-      const std::string text = error.what();
-      if (part == 1 && text.find(" element ") == std::string::npos) throw;
-      if (part == 1) message = text;
-      if (reading.size || text.find("border") != std::string::npos) break;
+    } catch (const topology::SurfaceError& error) {
+      if (part == 1 && error.about == About::surface) throw;
+      if (part == 1) message = error.what();
+      if (reading.size || error.about == About::border) break;
+    } catch (const mesh::DomainError&) {  // of the facets
+      if (part == 1) throw;
     }
   }
   // The numbers are those of cells that the file does not have.
@@ -385,6 +419,7 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
   const auto found = std::ranges::find(surface.boundaries, boundary);
   if (found == surface.boundaries.end()) return;  // the support's own check reports the name
   const CurveInPlane curve(static_cast<int>(found - surface.boundaries.begin()), surface);
+  surface.symmetry_accuracy[boundary] = curve.accuracy();
   const std::optional<Vector3d> normal = curve.normal();
   if (!normal) return;  // the check of symmetry reports it
   for (const std::int32_t node : curve.nodes()) {

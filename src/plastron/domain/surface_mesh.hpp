@@ -4,6 +4,7 @@
 #include <plastron/domain/domain.hpp>
 #include <plastron/topology/surface_topology.hpp>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct FileSurface {
   bool is_remeshed = false;             ///< whether the cells were made from the facets of the file
   bool has_upper = false;               ///< whether the case names the side of a_3
   double symmetry_turn = 0;             ///< largest angle by which a director was put into a plane of symmetry [rad]
+  /// How well the mesh knows directions on boundaries in planes of symmetry: half of the angle at which its cells meet there [rad]
+  std::map<std::string, double> symmetry_accuracy{};
 };
 
 /// Reads the file and finds the topology. Throws DomainError for files that cannot be read and for cells that are no
@@ -33,8 +36,8 @@ struct FileSurface {
 FileSurface read_surface(const MeshFile& file, std::optional<mesh::Shape> shape);
 
 /// Puts the directors on a boundary into its plane, for an edge of symmetry: a mean over the cells of one side is off the
-/// plane by the mesh's error. Nothing changes if there is no such boundary, if it has no plane, or where the shell meets
-/// the plane obliquely.
+/// plane by the mesh's error. Nothing changes if there is no such boundary, if it leaves its plane by more than `symmetry_accuracy`, or where
+/// the shell meets the plane obliquely.
 void put_into_plane(const std::string& boundary, FileSurface& surface);
 
 /// Makes the coarse mesh: cells with patches, named regions and boundaries, and the folds, each connected set of which

@@ -8,23 +8,32 @@
 namespace plastron::examination {
 
 void check_symmetry(Examined& examined) {
+  constexpr double rounding = 1e-6;  // [rad]
   const auto points =
       assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables, examined.problem.shell.sections);
   for (const assembly::Support& support : examined.problem.shell.supports) {
     if (!support.symmetry) continue;
     const auto rows = assembly::node_supports(*examined.space, *examined.surface, points, {support});
     const Eigen::Vector3d* first = nullptr;
+    double largest = 0;
+    std::size_t where = 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (const auto& [direction, value] : rows[i].displacement) {
         if (!first) first = &direction;
-        if ((direction - *first).norm() < 1e-6) continue;
-        return examined.add(Severity::error,
-                            "the boundary \"{}\" is no symmetry plane: its conormal turns (at {} "
-                            "by {:.3g} degrees); "
-                            "symmetry needs a plane edge that the shell meets at a right angle",
-                            support.boundary, examined.place(points[i].x),
-                            degrees_between((direction - *first).norm()));
+        if (const double turn = (direction - *first).norm(); turn > largest) {
+          largest = turn;
+          where = i;
+        }
       }
+    const auto of_mesh = examined.symmetry_accuracy.find(support.boundary);
+    const double allowed = of_mesh == examined.symmetry_accuracy.end() ? rounding : of_mesh->second;
+    if (largest <= allowed) continue;
+    return examined.add(
+        Severity::error,
+        "the boundary \"{}\" is no symmetry plane: its conormal turns by {:.3g} degrees (at {}), and {:.2g} "
+        "are allowed{}; symmetry needs a plane edge that the shell meets at a right angle",
+        support.boundary, degrees_between(largest), examined.place(points[where].x), degrees_between(allowed),
+        of_mesh == examined.symmetry_accuracy.end() ? "" : ", as the mesh knows directions there");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ struct Examined {
   // Known after check_chart:
   double size = 0;              ///< half the diagonal of the box around the mid-surface [m]
   bool is_developable = false;  ///< no Gaussian curvature at any sample point
+  // Known after check_surface_mesh:
+  std::map<std::string, double> symmetry_accuracy{};  ///< domain::FileSurface
 };
 
 /// The nodes of the sample mesh with their supports and gaps.

@@ -164,17 +164,18 @@ bool costs_nothing(const Vector& motion, const algebra::Matrix& stiffness, const
 
 }  // namespace
 
-Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
+Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count,
+                     const std::function<bool()>& stop) {
   const SmallMotions motions = small_motions(discrete, solution);
   const algebra::Matrix stiffness = material_matrix(discrete, motions.coordinates),
                         geometric = geometric_matrix(discrete, prestress(discrete, solution), motions.coordinates);
   constexpr int most_restarts = 100;  // without compression the reciprocals of all factors crowd below 0
-  const auto pairs =
-      largest_destabilisations(stiffness, geometric, motions.fixed, {.count = count, .max_restarts = most_restarts});
+  const auto pairs = largest_destabilisations(stiffness, geometric, motions.fixed,
+                                              {.count = count, .max_restarts = most_restarts, .stop = stop});
   if (!pairs) return {};
   constexpr double never = 1e-9;  // reciprocals of factors, relative to the largest, that are rounding
   const Vector diagonal = geometric.diagonal();
-  Modes modes{.has_solution = pairs->converged};
+  Modes modes{.has_solution = pairs->converged, .was_stopped = pairs->was_stopped};
   for (std::size_t i = 0; i < pairs->values.size(); ++i) {
     if (!(pairs->values[i] > never * pairs->values[0])) break;
     if (!is_lowered(pairs->values[i], pairs->vectors[i], stiffness, diagonal)) break;
@@ -206,7 +207,7 @@ class SoftestMotion {
 
   /// Returns theta to three digits with its motion; no result if K_M is not definite (collective).
   std::optional<algebra::Eigenpairs> operator()(std::span<const char> fixed) const {
-    constexpr algebra::EigenSettings settings{.count = 1, .tolerance = 1e-3, .max_restarts = 30};
+    const algebra::EigenSettings settings{.count = 1, .tolerance = 1e-3, .max_restarts = 30};
     if (auto pairs = algebra::smallest_eigenpairs(tangent_, material_, fixed, 0, settings); pairs.converged)
       return pairs;
     // A motion lowers the energy, so that the tangent has no Cholesky factor.
@@ -248,7 +249,8 @@ ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, con
   return result;
 }
 
-Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count) {
+Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count,
+                      const std::function<bool()>& stop) {
   const SmallMotions motions = small_motions(discrete, solution);
   const algebra::Matrix stiffness = discrete.has_finite_rotations()
                                         ? hessian(discrete, solution, motions.coordinates)
@@ -262,9 +264,10 @@ Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::N
     if (!motions.fixed[i] && m.owned()[i] > 0) largest = std::max(largest, k.owned()[i] / m.owned()[i]);
   largest = algebra::max_over_ranks(largest, discrete.space().layout->comm);
   algebra::Eigenpairs pairs;
-  for (double shift = 0; !pairs.converged && shift < largest; shift = shift == 0 ? 1e-12 * largest : 10 * shift)
-    pairs = algebra::smallest_eigenpairs(stiffness, mass, motions.fixed, shift, {.count = count});
-  Modes modes{.has_solution = pairs.converged, .values = pairs.values};
+  for (double shift = 0; !pairs.converged && !pairs.was_stopped && shift < largest;
+       shift = shift == 0 ? 1e-12 * largest : 10 * shift)
+    pairs = algebra::smallest_eigenpairs(stiffness, mass, motions.fixed, shift, {.count = count, .stop = stop});
+  Modes modes{.has_solution = pairs.converged, .was_stopped = pairs.was_stopped, .values = pairs.values};
   for (std::size_t i = 0; i < pairs.vectors.size(); ++i) {
     if (costs_nothing(pairs.vectors[i], stiffness, k)) modes.values[i] = 0;
     modes.shapes.push_back(shape_of(motions.coordinates, pairs.vectors[i]));

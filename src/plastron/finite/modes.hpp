@@ -4,6 +4,7 @@
 #pragma once
 #include <plastron/solution/nodal_solution.hpp>
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -12,18 +13,22 @@ namespace plastron::finite {
 
 struct Modes {
   bool has_solution = false;  ///< false if the stiffness is not definite, or if the iteration did not converge
+  bool was_stopped = false;
   std::vector<double> values{};
   std::vector<algebra::Vector> shapes{};  ///< (u, r), block 6, with current ghosts; the largest |u| is 1
 };
 
 /// Returns the smallest positive factors of all loads and prescribed displacements (of stresses and contact forces, where the
 /// shell is deformed by finite rotations) at which the shell buckles,
-/// (K_M + factor K_G) v = 0, ascending: at most `count`. Without a solution if a motion is free (collective).
-Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count);
+/// (K_M + factor K_G) v = 0, ascending: at most `count`. Without a solution if a motion is free. `stop` is asked on the
+/// way, and gives the same on all ranks (collective).
+Modes buckling_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count,
+                     const std::function<bool()>& stop = {});
 
 /// Returns the smallest squares of angular frequencies [1/s^2], (K_M + K_G) v = omega^2 M v, ascending. Free motions have
 /// 0; negative ones grow: the solution is not stable. Precondition: some density (collective).
-Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count);
+Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count,
+                      const std::function<bool()>& stop = {});
 
 /// Second-order conditions of an equilibrium with finite rotations.
 struct Stability {

@@ -209,6 +209,14 @@ void AtomicFiles::add_text(const std::filesystem::path& path, const Piece& text)
   add(path, [&] { return rank_in(comm_) == 0 ? text() : std::string(); });
 }
 
+void AtomicFiles::keep_first(std::size_t count) {
+  std::error_code ignored;  // what is left disappears with the temporary directory
+  for (std::size_t i = count; i < files_.size() && rank_in(comm_) == 0; ++i)
+    std::filesystem::remove(files_[i].temporary, ignored);
+  files_.resize(std::min(count, files_.size()));
+  MPI_Barrier(comm_);  // the files are removed when any rank returns
+}
+
 void AtomicFiles::commit(std::string_view sign) {
   const auto on_first = [this](const File& file, const auto& step) {
     together("write", file.path, comm_, [&] {

@@ -39,6 +39,8 @@ class AtomicFiles {
   void add(const std::filesystem::path& path, const Piece& piece);
   /// Writes a text that the first rank makes.
   void add_text(const std::filesystem::path& path, const Piece& text);
+  /// Removes the files that were added after the first `count` ones (collective).
+  void keep_first(std::size_t count);
   /// Gives all files their names, in the order of their addition. The file called `sign`, if any, shows that the others
   /// belong together. The `sign` of an earlier run is removed first, the new one is named last.
   void commit(std::string_view sign = {});

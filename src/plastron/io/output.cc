@@ -127,6 +127,19 @@ void Output::add_checksums() {
 
 std::vector<std::string> Output::finish(const computation::Result& result, Provenance provenance,
                                         const std::vector<problem::Line>& lines) {
+  const std::size_t files = files_.added().size(), names = names_.size(), sets = series_.size();
+  try {
+    return add_all(result, std::move(provenance), lines);
+  } catch (...) {  // the files of instants stay
+    files_.keep_first(files);
+    names_.resize(names);
+    series_.resize(sets);
+    throw;
+  }
+}
+
+std::vector<std::string> Output::add_all(const computation::Result& result, Provenance provenance,
+                                         const std::vector<problem::Line>& lines) {
   const bool is_drawn = result.solution && can_be_drawn(*result.solution, files_.comm());
   if (is_drawn) {
     add_fields(*result.solution, 0, "", series_.empty());

@@ -31,11 +31,13 @@ class Output {
   /// exists. With contact there are contact-boundary.csv, .vtu and contact-forces.csv (without contact, earlier ones
   /// are removed). With steps there are history.csv and history.svg. base_name.case.toml is written if provenance has
   /// the case's source; report.html and results.json follow. This function sets provenance.files and the names of
-  /// solution and copy. `lines` are written as line-NAME.csv. Returns the names of all files.
+  /// solution and copy. `lines` are written as line-NAME.csv. Returns the names of all files. After an exception it may be called again.
   std::vector<std::string> finish(const computation::Result& result, Provenance provenance,
                                   const std::vector<problem::Line>& lines = {});
 
  private:
+  std::vector<std::string> add_all(const computation::Result& result, Provenance provenance,
+                                   const std::vector<problem::Line>& lines);
   void add_fields(const computation::Solution& solution, double time, const std::string& suffix, bool is_in_series);
   void add_text(const std::string& name, const Piece& text);
   void add_history(const computation::Result& result);

@@ -64,10 +64,12 @@ void check_nodes_differ(const SpaceMesh& before, const MergedMesh& after, double
     std::ranges::sort(numbers);
     for (std::size_t i = 1; i < numbers.size(); ++i)
       if (numbers[i].first == numbers[i - 1].first && numbers[i].second != numbers[i - 1].second)
-        throw mesh::DomainError(fmt::format(
-            "{} has two nodes at {} that are nearer to each other than the tolerance {:.6g} and would be merged; make "
-            "the tolerance smaller than all distances between nodes of an element",
-            place_of(before.cells[c]), place_of(before.nodes[numbers[i].second]), tolerance));
+        throw SurfaceError(
+            SurfaceError::About::cells,
+            fmt::format(
+                "{} has two nodes at {} that are nearer to each other than the tolerance {:.6g} and would be merged; "
+                "make the tolerance smaller than all distances between nodes of an element",
+                place_of(before.cells[c]), place_of(before.nodes[numbers[i].second]), tolerance));
   }
 }
 

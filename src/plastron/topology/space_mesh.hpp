@@ -12,6 +12,17 @@ namespace plastron::topology {
 
 using Eigen::Vector3d;
 
+/// An error of a surface mesh. The text does not name its file.
+struct SurfaceError : mesh::DomainError {
+  enum class About {
+    surface,  ///< all meshes of the surface have it
+    cells,    ///< other cells of the surface may not have it
+    border    ///< parts of the surface are not joined
+  };
+  SurfaceError(About what, const std::string& text) : DomainError(text), about(what) {}
+  About about;
+};
+
 struct SurfaceCell {
   std::vector<std::int32_t> nodes;  ///< on lattice(shape, order), xi_1 fastest
   int order = 1;
@@ -51,7 +62,7 @@ struct MergedMesh {
   std::size_t merged = 0;                ///< number of nodes that became equal to another one
 };
 /// Makes one node of two that are not farther apart than the tolerance [m], if one of them lies on a side that is not
-/// joined. Throws DomainError if two nodes of one cell become equal.
+/// joined. Throws SurfaceError if two nodes of one cell become equal.
 MergedMesh merge_nodes(SpaceMesh mesh, double tolerance);
 /// Default tolerance of merge_nodes(): 1e-9 of the diagonal [m].
 double merge_tolerance(const SpaceMesh& mesh);

@@ -42,7 +42,8 @@ std::string in_degrees(double angle) { return fmt::format("{:.4g}", angle / one_
 void use_normal_of_file(const Vector3d& given, std::span<DirectorNode> fans, const Vector3d& where) {
   constexpr double allowed = 60 * one_degree;
   if (!(given.norm() > 0 && given.allFinite()))
-    throw mesh::DomainError(
+    throw SurfaceError(
+        SurfaceError::About::surface,
         fmt::format("the normal given at {} has no direction; give a vector that is not zero", place_of(where)));
   const Vector3d unit = given.normalized();
   double nearest = HUGE_VAL;
@@ -53,7 +54,8 @@ void use_normal_of_file(const Vector3d& given, std::span<DirectorNode> fans, con
     if (angle <= allowed) fan.director = along;
   }
   if (nearest > allowed)
-    throw mesh::DomainError(
+    throw SurfaceError(
+        SurfaceError::About::surface,
         fmt::format("the normal given at {} is {} degrees off the elements' mean normal; at most 60 are allowed: "
                     "correct it or leave "
                     "it out, so that the mean normal is taken",
@@ -134,10 +136,12 @@ void correct_at_ends(const SpaceMesh& mesh, const LatticeNormals& normals,
 void check_transversal(const DirectorAngle& largest, const SpaceMesh& mesh) {
   constexpr double allowed = 80 * one_degree;
   if (largest.angle > allowed)
-    throw mesh::DomainError(fmt::format(
-        "the director at {} is {} degrees off the normal of {}; at most 80 are allowed: use smaller elements there, or "
-        "a smaller smooth angle, so that sharp edges become folds",
-        place_of(largest.where), in_degrees(largest.angle), place_of(mesh.cells[largest.cell])));
+    throw SurfaceError(
+        SurfaceError::About::cells,
+        fmt::format(
+            "the director at {} is {} degrees off the normal of {}; at most 80 are allowed: use smaller elements "
+            "there, or a smaller smooth angle, so that sharp edges become folds",
+            place_of(largest.where), in_degrees(largest.angle), place_of(mesh.cells[largest.cell])));
 }
 
 }  // namespace
@@ -153,10 +157,12 @@ LatticeNormals lattice_normals(const SpaceMesh& mesh) {
     normals.first.push_back(normals.normal.size());
     for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
       if (!(points.normal(n).norm() > degenerate))
-        throw mesh::DomainError(fmt::format(
-            "{} is degenerate at {}: it has no normal there; all corners must be above 0 and below 180 degrees, and no "
-            "two nodes may coincide",
-            place_of(cell), place_of(mesh.nodes[cell.nodes[n]])));
+        throw SurfaceError(
+            SurfaceError::About::cells,
+            fmt::format(
+                "{} is degenerate at {}: it has no normal there; all corners must be above 0 and below 180 degrees, "
+                "and no two nodes may coincide",
+                place_of(cell), place_of(mesh.nodes[cell.nodes[n]])));
       normals.normal.push_back(points.normal(n).normalized());
       normals.weight.push_back(1);
     }

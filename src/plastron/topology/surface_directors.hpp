@@ -14,7 +14,7 @@ struct LatticeNormals {
 
   const Vector3d& at(std::size_t cell, int place) const { return normal[first[cell] + place]; }
 };
-/// Throws DomainError for a cell that is degenerate at a node.
+/// Throws SurfaceError for a cell that is degenerate at a node.
 LatticeNormals lattice_normals(const SpaceMesh& mesh);
 
 /// The angle between two vectors [rad].
@@ -36,7 +36,7 @@ struct DirectorAngle {
 /// the normals of the fan's cells, corrected at the surface's end (below). If the file gives a normal for the node, that
 /// normal, in the direction of the mean, is the director of each fan whose mean is within 60 degrees of it.
 /// `cell_director_nodes` are the copies of each cell on its lattice. `ends`: whether the smooth surface ends at a side,
-/// by cell and side. Returns the largest angle between a director and the normal of a cell. Throws DomainError if this
+/// by cell and side. Returns the largest angle between a director and the normal of a cell. Throws SurfaceError if this
 /// angle exceeds 80 degrees, and if a normal of the file is more than 60 degrees off all fans of its node.
 ///
 /// On a surface of constant curvature, and for odd orders on every surface, the errors of the normals at both ends of a cell are

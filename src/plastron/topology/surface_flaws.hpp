@@ -17,6 +17,7 @@ struct FlawLimits {
 struct Flaw {
   std::string message;
   Vector3d where;  ///< first or worst place
+  SurfaceError::About about = SurfaceError::About::cells;
 };
 
 /// One flaw of each kind, with the number of its occurrences.

@@ -213,7 +213,7 @@ class GapSearch {
                "the border runs beside other edges without being joined ({}), first {} and {}; the largest distance "
                "is at {}: {}merge the nodes in the meshing program (Gmsh: Coherence)",
                gaps_.text(), name(gaps_.cells[0]), name(gaps_.cells[1]), place_of(gaps_.where), remedy),
-           gaps_.where});
+           gaps_.where, SurfaceError::About::border});
     }
     if (hanging_.number > 0)
       flaws.errors.push_back(
@@ -222,7 +222,7 @@ class GapSearch {
                "largest distance is at {}: the surface is not joined there; neighbours must share whole sides, so "
                "mesh both surfaces together (Gmsh: BooleanFragments)",
                hanging_.text(), name(hanging_.cells[0]), name(hanging_.cells[1]), place_of(hanging_.where)),
-           hanging_.where});
+           hanging_.where, SurfaceError::About::border});
     if (inside_.number > 0)
       flaws.errors.push_back(
           {fmt::format(
@@ -230,7 +230,7 @@ class GapSearch {
                "{}: a surface ends on another one that has no edge there; imprint the edge in the CAD program, or "
                "mesh both surfaces together (Gmsh: BooleanFragments)",
                inside_.text(), name(inside_.cells[0]), name(inside_.cells[1]), place_of(inside_.where)),
-           inside_.where});
+           inside_.where, SurfaceError::About::border});
   }
 
   const SpaceMesh& mesh_;

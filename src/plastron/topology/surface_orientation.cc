@@ -88,10 +88,12 @@ class Orienter {
 
   [[noreturn]] void refuse_one_side(const SurfaceEdge& edge) const {
     const Vector3d middle = (mesh_.nodes[edge.ends[0]] + mesh_.nodes[edge.ends[1]]) / 2;
-    throw mesh::DomainError(fmt::format(
-        "the surface has one side only (like a Moebius strip), first noticed at {}; a shell needs an upper and a lower "
-        "side: cut the surface there, so that its elements have different nodes",
-        place_of(middle)));
+    throw SurfaceError(
+        SurfaceError::About::surface,
+        fmt::format(
+            "the surface has one side only (like a Moebius strip), first noticed at {}; a shell needs an upper and a "
+            "lower side: cut the surface there, so that its elements have different nodes",
+            place_of(middle)));
   }
 
   void orient_component(std::size_t first) {

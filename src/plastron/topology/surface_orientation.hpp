@@ -27,7 +27,7 @@ struct Orientation {
 };
 
 /// Finds the cells to turn, from the largest cell of a component outwards. `sides` are in the order of `edges`. Throws
-/// DomainError if a component has one side only.
+/// SurfaceError if a component has one side only.
 Orientation find_orientation(const SpaceMesh& mesh, std::span<const mesh::MeshEdge> sides,
                              std::span<const SurfaceEdge> edges, const std::optional<Vector3d>& upper);
 

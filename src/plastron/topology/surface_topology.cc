@@ -84,7 +84,7 @@ class TopologyBuilder {
     return ends;
   }
 
-  [[noreturn]] static void refuse(const std::string& what) { throw mesh::DomainError(what); }
+  [[noreturn]] static void refuse(const std::string& what) { throw SurfaceError(SurfaceError::About::cells, what); }
   const SurfaceCell& cell(std::size_t c) const { return t_.mesh.cells[c]; }
   std::string name(std::size_t c) const { return place_of(cell(c)); }
   std::string place(std::int32_t node) const { return place_of(t_.mesh.nodes[node]); }

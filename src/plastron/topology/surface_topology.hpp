@@ -44,7 +44,7 @@ struct SurfaceTopology {
 
 /// Finds the topology of a mesh in which find_flaws() finds no errors. Turns cells, so that a_3 has one direction in
 /// each component: outwards if it is closed, otherwise that of the larger area of the file. `upper` decides first,
-/// unless the mean normal is perpendicular to it. Throws DomainError for a surface with one side, and for cells that
+/// unless the mean normal is perpendicular to it. Throws SurfaceError for a surface with one side, and for cells that
 /// fold back, touch at a point only, close on themselves, share a part of a side, or are degenerate.
 SurfaceTopology surface_topology(SpaceMesh mesh, const SurfaceOptions& options);
 
