@@ -385,6 +385,26 @@ TEST(SharpEdges, AreAsFarFromNodesAsEstimatesSay) {
       }
 }
 
+// The shell lies on the body, so all gaps of the undeformed shell are zero, and so is the dual of the energy. The reactions on depths
+// between nodes remain: the line of contact is up to a distance of nodes away. The rounding moves it by less than its radius.
+TEST(RoundEdges, SmallerThanCellsAreAsFarFromNodesAsEstimatesSay) {
+  constexpr double radius = 0.001, by_radius = 0.015;
+  for (const auto rotations : {element::Rotations::small, element::Rotations::finite})
+    for (const auto& [cells, degree] : {std::pair{8, 4}, {20, 2}, {20, 4}, {40, 4}}) {
+      const obstacle::Box box{.centre = {0.5, 0.5, -0.5}, .size = {1, 3, 1}, .fillet = radius};
+      problem::Problem p = overhanging_strip(box, cells, degree, 1);
+      p.shell.rotations = rotations;
+      const Result r = solve(p, MPI_COMM_WORLD);
+      ASSERT_EQ(r.status, Status::solved) << cells << " " << r.missed_limits;
+      const auto& goals = r.estimates->goals;
+      const auto goal = std::ranges::find(goals, "energy", &estimation::GoalEstimate::name);
+      ASSERT_NE(goal, goals.end());
+      const double error = std::abs(goal->value / energy_on_edges(1) - 1);
+      EXPECT_GT(error, 0.05) << cells << " " << degree;
+      EXPECT_GT(goal->error() / goal->value, 0.25 * (error - by_radius)) << cells << " " << degree;
+    }
+}
+
 TEST(SharpEdges, NeedNoSmallCells) {
   for (const int cells : {7, 10, 37, 40}) {
     const obstacle::Box box{.centre = {0.5, 0.5, -0.5}, .size = {1, 3, 1}};

@@ -58,6 +58,11 @@ std::optional<DualSolution> DualSolver::solve_fixed(const algebra::Vector& load,
                       .positions = std::vector<double>(shapes_.size(), 0)};
 }
 
+DualSolution DualSolver::zero() const {
+  const algebra::Vector none(problem_.load.layout(), problem_.load.block());
+  return {.z = none, .multiplier = none, .positions = std::vector<double>(shapes_.size(), 0)};
+}
+
 bool DualSolver::find_responses() {
   const algebra::Vector no_load(problem_.load.layout(), problem_.load.block());
   for (std::size_t k = 0; k < shapes_.size(); ++k) {

@@ -36,6 +36,8 @@ class DualSolver {
   /// Returns z with a(v, z) = J(v) for all v of the tangent space (collective). Fixed coordinates have the values of
   /// `fixed` plus multiples of the shapes of pressed obstacles. Empty if the solver for linear equations fails.
   std::optional<DualSolution> solve(const DualLoad& dual);
+  /// The solution without load, with all fixed coordinates at 0.
+  DualSolution zero() const;
 
  private:
   struct Response {

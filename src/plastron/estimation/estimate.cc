@@ -96,9 +96,11 @@ class GoalEstimator {
       if (z) {
         at_edge = add_dual(d, *z, result);
         by_lifts = lifted_.shares(z->multiplier);
-        if (std::holds_alternative<Energy>(goal.functional)) quadratic_by_lifts = energy_of_lifts();
       }
+    } else if (d.weighs_gaps) {  // all gaps of the undeformed shell are zero, and depths between nodes remain
+      at_edge = edge_.shares(d, duals_.zero(), algebra::Vector(d.dual.load.layout(), 6));
     }
+    if (result.has_dual && std::holds_alternative<Energy>(goal.functional)) quadratic_by_lifts = energy_of_lifts();
     sum_up(at_edge, result);
     add_lifts(by_lifts, quadratic_by_lifts, result);
     result.free_edges = algebra::sum_over_ranks(result.free_edges, shell.space().layout->comm);
