@@ -230,9 +230,11 @@ std::vector<Topic> limit_topics() {
   for (const Limit& limit : config::limits()) {
     std::vector<std::string> words;
     for (const std::string& alias : limit.aliases) {
-      if (alias.starts_with('.')) continue;  // a section, which alone is a key of others
+      if (alias.starts_with('.')) continue;  // a limit as a section only: as a key "force" is allowed
       words.push_back(alias);
-      std::ranges::replace(words.emplace_back(alias), '-', '_');
+      std::string underscored = alias;
+      std::ranges::replace(underscored, '-', '_');
+      if (underscored != alias) words.push_back(std::move(underscored));
     }
     topics.push_back({limit.name, "limit of the program", std::move(words), [&limit] { return text_of(limit); }});
   }

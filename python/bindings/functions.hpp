@@ -24,7 +24,8 @@ inline std::exception_ptr& interruption() {
 }
 
 /// Calls `work`, which may call functions of Python. An interruption in one of them is raised in place of the result, and in place of
-/// any error: the library may have made a FunctionError into an error of the case, of a file, or of another rank.
+/// any error: the library may have made a FunctionError into an error of the case, of a file, or of another rank. Each binding that may
+/// call functions of Python goes through this: the next call would raise an interruption that is left over. `work` returns a value.
 template <class Work>
 auto raising_interruptions(Work&& work) {
   const auto raise_pending = [] {

@@ -359,7 +359,7 @@ TEST(SharpTips, BetweenNodesComeToRest) {
 /// The energy of Timoshenko's beam on two edges.
 double energy_on_edges(double L) { return 4.7e-3 / 60 * L * L * L; }
 /// The linear model has forces on the face before or after it turned: edges differ by e r / 2, the energy by this part.
-constexpr double turned = 3e-4;
+constexpr double energy_by_turn = 3e-4;
 
 // Without nodes on the edges the nearest nodes carry the forces. The estimate knows how far they are away. Cells with an edge in their
 // middle are left out: there all of the error is the kink inside of the cell.
@@ -379,8 +379,8 @@ TEST(SharpEdges, AreAsFarFromNodesAsEstimatesSay) {
           const auto goal = std::ranges::find(goals, "energy", &estimation::GoalEstimate::name);
           ASSERT_NE(goal, goals.end());
           const double exact = energy_on_edges(L), error = std::abs(goal->value - exact) / exact;
-          EXPECT_GT(goal->error() / exact, 0.25 * (error - turned)) << cells << " " << degree;
-          EXPECT_LT(goal->error() / exact, 4 * error + 10 * turned) << cells << " " << degree;
+          EXPECT_GT(goal->error() / exact, 0.25 * (error - energy_by_turn)) << cells << " " << degree;
+          EXPECT_LT(goal->error() / exact, 4 * error + 10 * energy_by_turn) << cells << " " << degree;
         }
       }
 }

@@ -10,6 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace plastron::domain {
 namespace {
 
@@ -101,6 +104,43 @@ TEST(SurfaceMesh, LiesAtTheOffsetFromTheFile) {
                              {});
   for (int c = 0; c < 54; ++c) EXPECT_NEAR(surface.frame({.coarse = c}, {0.3, 0.6}).phi.norm(), 0.95, 1e-4);
   EXPECT_THAT(refusal(folded, {.offset = {.part = 0.5}}), HasSubstr("an offset would tear it"));
+}
+
+/// Half of a tube of radius 1 above the plane z = 0, of facets. Its two edges in the plane have one name.
+std::string half_tube(double length) {
+  constexpr int around = 8, along = 4;
+  std::string nodes, cells;
+  const auto node = [](int i, int j) { return 1 + i + (around + 1) * j; };
+  for (int j = 0; j <= along; ++j)
+    for (int i = 0; i <= around; ++i) {
+      const double angle = std::numbers::pi * i / around;
+      nodes += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", node(i, j), std::cos(angle), length * j / along,
+                           i % around == 0 ? 0 : std::sin(angle));
+    }
+  int count = 0;
+  for (int j = 0; j < along; ++j) {
+    for (const int i : {0, around}) cells += fmt::format("{} 1 2 1 1 {} {}\n", ++count, node(i, j), node(i, j + 1));
+    for (int i = 0; i < around; ++i)
+      cells += fmt::format("{} 3 2 2 2 {} {} {} {}\n", ++count, node(i, j), node(i + 1, j), node(i + 1, j + 1),
+                           node(i, j + 1));
+  }
+  return written::header + "$PhysicalNames\n2\n1 1 \"plane\"\n2 2 \"tube\"\n$EndPhysicalNames\n" +
+         fmt::format("$Nodes\n{}\n{}$EndNodes\n$Elements\n{}\n{}$EndElements\n", (around + 1) * (along + 1), nodes,
+                     count, cells);
+}
+
+TEST(PlaneOfSymmetry, IsFoundFromTwoParallelEdges) {
+  for (const double length : {0.5, 2.0, 5.0, 30.0}) {
+    const written::TemporaryPath path(".msh");
+    FileSurface surface = read_surface(file_of(path, half_tube(length), {.smooth_angle = 1}), {});
+    put_into_plane("plane", surface);
+    EXPECT_GT(surface.symmetry_turn, 1e-3) << length;
+    for (const topology::DirectorNode& at : surface.topology.director_nodes) {
+      const Vector3d& place = surface.topology.mesh.nodes[static_cast<std::size_t>(at.node)];
+      if (place[2] != 0) continue;
+      EXPECT_NEAR(at.director[2], 0, 1e-12) << length;
+    }
+  }
 }
 
 TEST(SurfaceMesh, IsCutCrosswiseForTriangles) {

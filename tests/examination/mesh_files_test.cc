@@ -128,7 +128,7 @@ TEST(Symmetry, IsRefusedBeyondWhatTheMeshKnows) {
       for (const double offset : {0.0, 0.5})
         EXPECT_THAT(errors_of_symmetry({.order = order, .digits = 16, .is_flat = is_flat, .slope = 5}, offset),
                     testing::Contains(AllOf(HasSubstr("\"end\" is no symmetry plane"), HasSubstr("degrees (at"),
-                                            HasSubstr("are allowed, as the mesh knows directions there"))))
+                                            HasSubstr("degrees, the accuracy of directions in this mesh"))))
             << "order " << order << ", flat " << is_flat << ", offset " << offset;
 }
 

@@ -216,10 +216,6 @@ void find_multiples(const SelfAdjointOperator& T, End end, const EigenSettings& 
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Passes through SLEPc as an exception of the operator.
 struct Stopped {};
 

@@ -129,6 +129,7 @@ std::string AccuracyLoop::stalled() const {
   if (excesses_.size() <= meshes || excesses_.back() <= 1) return "";
   const auto last = excesses_.end() - meshes;
   const double before = *std::min_element(excesses_.begin(), last), now = *std::min_element(last, excesses_.end());
+  if (std::isinf(now)) return "";  // these meshes lack the contact
   const std::int64_t from = *(unknowns_.end() - meshes - 1), to = unknowns_.back();
   if (now < constants.stalled_fall * before ||
       static_cast<double>(to) < constants.stalled_growth * static_cast<double>(from))

@@ -94,10 +94,11 @@ void judge_certificate(Result& result) {
   result.limits = certificate::certificate_limits({.summary = result.summary, .certificate = result.certificate},
                                                   result.formulation);
   if (result.passing)
-    result.limits.push_back({"crossed_cells", "1", static_cast<double>(result.passing->cells), 0, false,
-                             "no obstacle passes through the shell on its path from the start; where it may have, "
-                             "refine the mesh there, or ask for an accuracy in place of the mesh",
-                             result.passing->place});
+    result.limits.push_back(
+        {"crossed_cells", "1", static_cast<double>(result.passing->cells), 0, false,
+         "no obstacle passes through the shell on its path from the start; where it may have, "
+         "refine the mesh there, ask for an accuracy in place of the mesh, or allow it more unknowns",
+         result.passing->place});
   result.missed_limits.clear();
   for (const auto& limit : result.limits)
     if (!limit.holds())

@@ -37,8 +37,8 @@ Nearness nearness(const problem::Linearisation& settings, const assembly::Discre
 
 /// The loop of one mesh. A step moves the state to the solution. This converges slowly beside edges and corners of obstacles, where the
 /// turn of a face moves its gap. So each step is corrected by the last ones (Anderson's acceleration): by the combination of their
-/// changes that cancels most of the way to the solution. A step after which the solution is farther away is followed by half a step, and
-/// after three of them the loop forgets all changes.
+/// changes that cancels most of the way to the solution. If the solution is not nearer after a step, the part of the way is halved, down
+/// to 1/16; else it is doubled, up to 1. After three such steps the changes are forgotten. The loop converges or reports that it does not.
 class Relinearisation {
  public:
   Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete);

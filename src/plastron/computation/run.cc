@@ -205,7 +205,7 @@ bool Run::has_checked_model() {
 }
 
 void Run::give_up_modes(Mode::Kind kind) {
-  if (wants_to_stop(asked_, comm)) {
+  if (!is_time_over() || wants_to_stop(asked_, comm)) {
     result.status = contact::Status::interrupted;
     return;
   }

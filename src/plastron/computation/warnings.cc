@@ -84,12 +84,14 @@ std::vector<std::string> lift_warnings(const Result& result) {
   const solution::Summary& s = result.summary;
   if (!s.is_admissible_wanted || result.levels.empty() || s.is_unstrained) return {};
   const Level& level = result.last_level();
-  const double part = std::abs(level.energy - level.energy_before_lifts) / level.energy;
+  const double larger = std::max(std::abs(level.energy), std::abs(level.energy_before_lifts));
+  const double part = larger > 0 ? std::abs(level.energy - level.energy_before_lifts) / larger : 0;
   if (!(part > notable)) return {};
-  return {fmt::format(
-      "admissible = true lifts bounds at nodes by up to {:.2g} m, and {:.0f} % of the energy is due to these lifts; "
-      "refine the mesh or raise the degree",
-      s.largest_lift, 100 * part)};
+  return {
+      fmt::format("admissible = true lifts bounds at nodes by up to {:.2g} m, which changes the energy by {:.0f} %; "
+                  "refine the mesh "
+                  "or raise the degree",
+                  s.largest_lift, 100 * part)};
 }
 
 /// Returns one warning for each obstacle that the shell touches along lines inside.
@@ -226,9 +228,9 @@ std::vector<std::string> jump_warnings(const problem::Problem& problem, const Re
   std::vector<std::string> warnings;
   if (has_snapped)
     warnings.push_back(fmt::format(
-        "the shell snaps to another equilibrium{}: during the iteration a motion lost its stiffness, in short "
-        "parts of the way, too, so that shorter ones do not help; it need not be the equilibrium that follows "
-        "in time; `control` in a [[step]] follows the equilibria through a snap of loads",
+        "the shell snaps to another equilibrium{}: a motion lost its stiffness during the iteration, also where the "
+        "program divided the way, and shorter ones do not help; the shell need not come to rest there in time; "
+        "`control` in a [[step]] follows the equilibria through a snap of loads",
         snaps));
   if (has_jumped)
     warnings.push_back(fmt::format(

@@ -49,7 +49,8 @@ std::vector<std::string> sideways_warnings(const solution::Summary& summary);
 /// Warns of rigid bodies that move their nodes into obstacles.
 std::vector<std::string> body_warnings(const solution::Summary& summary);
 
-/// Warns of penetration between nodes, lifts that change much of the energy, reactions concentrated on edges, and tolerances that rounding has loosened.
+/// Warns of penetration between nodes, lifts that change much of the energy, reactions concentrated on edges, and
+/// tolerances that rounding has loosened.
 std::vector<std::string> contact_warnings(const Result& result, const contact::Settings& asked);
 
 /// Forces that supports carry at points: a shell fixed at three points against its rigid motions needs none if its loads

@@ -9,8 +9,8 @@ namespace plastron::config {
 
 struct Limit {
   std::string name;
-  std::vector<std::string>
-      aliases;  ///< other words, "-" for "_"; "load.point" is the key of a section, ".force" a section
+  /// Other words, with "-" in place of "_". "load.point" is a key of a section, ".force" is a section.
+  std::vector<std::string> aliases;
   std::string left_out, shows, advice;
 };
 

@@ -141,17 +141,16 @@ class CurveInPlane {
 
   const std::set<std::int32_t>& nodes() const { return nodes_; }
 
-  /// How well the mesh knows a direction on the curve [rad]: half of the angle at which its cells meet there, and no better than the
-  /// digits of a file. An angle of more than a degree is no error of a mesh that could be computed with.
+  /// How well the mesh knows a direction on the curve: FileSurface::symmetry_accuracy. An angle of more than a degree is no error of a
+  /// mesh that could be computed with.
   double accuracy() const {
-    constexpr double digits = 1e-3, most = 0.02;
+    constexpr double most = 0.02;
     return std::clamp(largest_angle_, digits, most);
   }
 
   /// The unit normal of the plane of the nodes; for a straight curve, of the plane of the curve and its mean director.
   /// Empty if a chord leaves the plane at a larger angle than the accuracy.
   std::optional<Vector3d> normal() const {
-    constexpr double straight = 1e-3;  // [rad]
     Vector3d mean = Vector3d::Zero(), director = Vector3d::Zero();
     for (const std::int32_t node : nodes_) {
       mean += place(node) / static_cast<double>(nodes_.size());
@@ -161,8 +160,11 @@ class CurveInPlane {
     for (const std::int32_t node : nodes_) moments += (place(node) - mean) * (place(node) - mean).transpose();
     const auto eigen = geometry::symmetric_eigen(moments);
     const Vector3d along = eigen.vectors.col(2), across = along.cross(director);
-    const bool is_straight =
-        std::ranges::all_of(chords_, [&](const Vector3d& chord) { return chord.cross(along).norm() <= straight; });
+    // Two parallel edges under one name are no straight curve: their nodes spread across it, too.
+    const bool is_on_line = std::sqrt(std::max(0.0, eigen.values[1])) <= digits * std::sqrt(eigen.values[2]);
+    const bool is_straight = is_on_line && std::ranges::all_of(chords_, [&](const Vector3d& chord) {
+                               return chord.cross(along).norm() <= digits;
+                             });
     const Vector3d n = is_straight ? across : Vector3d(eigen.vectors.col(0));
     if (!(n.norm() > 0)) return {};
     const Vector3d unit = n.normalized();
@@ -189,6 +191,8 @@ class CurveInPlane {
     return topology_.mesh
         .nodes[static_cast<std::size_t>(topology_.director_nodes[static_cast<std::size_t>(node)].node)];
   }
+
+  static constexpr double digits = 1e-3;  ///< angle that the digits of a file may cause [rad]
 
   const topology::SurfaceTopology& topology_;
   topology::PatchTables<std::function<std::vector<Eigen::Vector2d>(int)>> tables_;

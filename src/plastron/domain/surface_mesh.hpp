@@ -27,7 +27,8 @@ struct FileSurface {
   bool is_remeshed = false;             ///< whether the cells were made from the facets of the file
   bool has_upper = false;               ///< whether the case names the side of a_3
   double symmetry_turn = 0;             ///< largest angle by which a director was put into a plane of symmetry [rad]
-  /// How well the mesh knows directions on boundaries in planes of symmetry: half of the angle at which its cells meet there [rad]
+  /// How well the mesh knows directions on boundaries in planes of symmetry: the largest angle between a director and the normals
+  /// of the cells there, within limits [rad]
   std::map<std::string, double> symmetry_accuracy{};
 };
 

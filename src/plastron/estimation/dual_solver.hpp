@@ -21,10 +21,10 @@ struct DualLoad {
 
 struct DualSolution {
   algebra::Vector z{};  ///< with current ghosts
-  /// A z - load, with equations A z + B' q - load: minus the rates of J with the values of fixed coordinates.
+  /// A z - load; with equations A z + B' q - load. Minus the derivatives of J with respect to the values of fixed coordinates.
   algebra::Vector multiplier{};
-  std::vector<double>
-      positions{};  ///< motions of the pressed obstacles along their forces, in the order of the problem
+  /// Motions of the pressed obstacles along their forces, in the order of the problem.
+  std::vector<double> positions{};
 };
 
 class DualSolver {

@@ -97,7 +97,8 @@ class GoalEstimator {
         at_edge = add_dual(d, *z, result);
         by_lifts = lifted_.shares(z->multiplier);
       }
-    } else if (d.weighs_gaps) {  // all gaps of the undeformed shell are zero, and depths between nodes remain
+    } else if (
+        d.weighs_gaps) {  // where the touching nodes have no gap before the shell deforms; depths between nodes count
       at_edge = edge_.shares(d, duals_.zero(), algebra::Vector(d.dual.load.layout(), 6));
     }
     if (result.has_dual && std::holds_alternative<Energy>(goal.functional)) quadratic_by_lifts = energy_of_lifts();

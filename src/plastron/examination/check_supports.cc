@@ -30,10 +30,10 @@ void check_symmetry(Examined& examined) {
     if (largest <= allowed) continue;
     return examined.add(
         Severity::error,
-        "the boundary \"{}\" is no symmetry plane: its conormal turns by {:.3g} degrees (at {}), and {:.2g} "
-        "are allowed{}; symmetry needs a plane edge that the shell meets at a right angle",
+        "the boundary \"{}\" is no symmetry plane: its conormal turns by {:.3g} degrees (at {}); allowed are {:.2g} "
+        "degrees{}; symmetry needs a plane edge that the shell meets at a right angle",
         support.boundary, degrees_between(largest), examined.place(points[where].x), degrees_between(allowed),
-        of_mesh == examined.symmetry_accuracy.end() ? "" : ", as the mesh knows directions there");
+        of_mesh == examined.symmetry_accuracy.end() ? "" : ", the accuracy of directions in this mesh");
   }
 }
 

@@ -265,8 +265,10 @@ Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::N
   largest = algebra::max_over_ranks(largest, discrete.space().layout->comm);
   algebra::Eigenpairs pairs;
   for (double shift = 0; !pairs.converged && !pairs.was_stopped && shift < largest;
-       shift = shift == 0 ? 1e-12 * largest : 10 * shift)
+       shift = shift == 0 ? 1e-12 * largest : 10 * shift) {
     pairs = algebra::smallest_eigenpairs(stiffness, mass, motions.fixed, shift, {.count = count, .stop = stop});
+    pairs.was_stopped = pairs.was_stopped || (!pairs.converged && stop && stop());
+  }
   Modes modes{.has_solution = pairs.converged, .was_stopped = pairs.was_stopped, .values = pairs.values};
   for (std::size_t i = 0; i < pairs.vectors.size(); ++i) {
     if (costs_nothing(pairs.vectors[i], stiffness, k)) modes.values[i] = 0;

@@ -31,7 +31,8 @@ class Output {
   /// exists. With contact there are contact-boundary.csv, .vtu and contact-forces.csv (without contact, earlier ones
   /// are removed). With steps there are history.csv and history.svg. base_name.case.toml is written if provenance has
   /// the case's source; report.html and results.json follow. This function sets provenance.files and the names of
-  /// solution and copy. `lines` are written as line-NAME.csv. Returns the names of all files. After an exception it may be called again.
+  /// solution and copy. `lines` are written as line-NAME.csv.
+  /// Returns the names of all files. After an exception before files get their names it may be called again.
   std::vector<std::string> finish(const computation::Result& result, Provenance provenance,
                                   const std::vector<problem::Line>& lines = {});
 
