@@ -71,8 +71,9 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
                                               ? by_components(scalar_element(shell, c, length), weights)
                                               : covariant_element(shell, c, length);
     // C' K C from K C, for K is symmetric.
-    const assembly::RowMatrix half = assembly::in_coordinates(coordinates, c, cartesian).matrix.transpose();
-    const auto k = assembly::in_coordinates(coordinates, c, half);
+    const assembly::RowMatrix half =
+        assembly::in_coordinates(coordinates, coordinates.space->nodes(c), cartesian).matrix.transpose();
+    const auto k = assembly::in_coordinates(coordinates, coordinates.space->nodes(c), half);
     matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
   }
   matrix.finish();

@@ -308,6 +308,29 @@ TEST(RigidBodies, PressAShellOnAnObstacleAlikeOnAnyNumberOfRanks) {
   EXPECT_LT(b.reaction.force[2], 0);
 }
 
+// A column L with a rigid arm a beyond its end, where a dead force presses: k a tan(k L) = 1, P = k^2 E I. The force does work at
+// second order in the turn of the arm.
+TEST(RigidBodies, WithALoadOnTheirArmBuckleTheirColumn) {
+  for (const element::Rotations rotations : {element::Rotations::small, element::Rotations::finite})
+    for (const double arm : {0.0, 0.4, 1.0, -0.3}) {
+      fem::RigidBody body = end_plate();
+      body.reference[0] += arm;
+      body.force = {-1e-3 * bending_stiffness, 0, 0};
+      problem::Problem p = beam(body);
+      p.shell.rotations = rotations;
+      p.modes.buckling = 1;
+      const Result r = solve(p, MPI_COMM_WORLD);
+      ASSERT_EQ(r.modes.size(), 1U);
+      double low = 0, high = arm < 0 ? std::numbers::pi : std::numbers::pi / 2;  // of k L
+      for (int i = 0; i < 60; ++i) {
+        const double k = (low + high) / 2;
+        (k * arm * std::sin(k) < std::cos(k) ? low : high) = k;
+      }
+      const double shear = 5.0 / 12 * young * width * thickness, load = low * low * bending_stiffness;
+      EXPECT_NEAR(r.modes[0].value * (1 + load / shear) / (1e3 * low * low), 1, 2e-3) << arm;  // Engesser
+    }
+}
+
 TEST(RigidBodies, MayBeHeldBySymmetryWhereTheyAreFixedAlike) {
   fem::RigidBody body = end_plate();
   body.force = {0, 0, -1e-4};

@@ -90,7 +90,7 @@ RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
 
 constraints::NodeColumns material_stiffness(const ShellOperator& shell, const NodalCoordinates& coordinates,
                                             std::size_t cell, const CellGeometry& at) {
-  auto [nodes, b] = in_coordinates(coordinates, cell, shell.strain_matrix(cell, at));
+  auto [nodes, b] = in_coordinates(coordinates, coordinates.space->nodes(cell), shell.strain_matrix(cell, at));
   scale_by_stiffness(shell, cell, b);
   return {std::move(nodes), gram(shell, b)};
 }
@@ -126,8 +126,9 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   return matrix_of_cells(shell.space(), coordinates.width, [&](std::size_t c) {
     constraints::NodeColumns k = material_stiffness(shell, coordinates, c, shell.geometry(c));
     if (tangency_factor > 0)
-      k.matrix +=
-          gram(shell, in_coordinates(coordinates, c, scaled_normal_rotation_matrix(shell, c, tangency_factor)).matrix);
+      k.matrix += gram(shell, in_coordinates(coordinates, coordinates.space->nodes(c),
+                                             scaled_normal_rotation_matrix(shell, c, tangency_factor))
+                                  .matrix);
     return k;
   });
 }

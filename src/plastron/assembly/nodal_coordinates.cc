@@ -283,9 +283,9 @@ RowMatrix times_bases(const RowMatrix& cartesian, const NodalCoordinates& coordi
 
 }  // namespace
 
-constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::size_t cell, RowMatrix cartesian) {
-  const fem::Space& space = *coordinates.space;
-  auto [nodes, matrix] = space.constraints.on_sources(space.nodes(cell), std::move(cartesian));
+constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::span<const algebra::LocalIndex> of,
+                                        RowMatrix cartesian) {
+  auto [nodes, matrix] = coordinates.space->constraints.on_sources(of, std::move(cartesian));
   if (coordinates.width == 5) return {nodes, times_bases<5>(matrix, coordinates, nodes)};
   return {nodes, times_bases<6>(matrix, coordinates, nodes)};
 }

@@ -71,9 +71,10 @@ std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const s
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
                                        const std::vector<NodalPoint>& points, const std::vector<Support>& supports);
 
-/// Transforms a matrix on the Cartesian values of a cell's nodes, six columns for each, to coordinates. The result has
-/// `width` columns for each node on which the cell's values depend.
-constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::size_t cell, RowMatrix cartesian);
+/// Transforms a matrix on the Cartesian values of nodes, six columns for each, to coordinates. The result has `width` columns for
+/// each node on which their values depend.
+constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::span<const algebra::LocalIndex> nodes,
+                                        RowMatrix cartesian);
 
 /// Returns a point of the shell after the motion (u, r) = `moved` with small rotations.
 obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);

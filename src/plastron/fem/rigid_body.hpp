@@ -45,6 +45,11 @@ struct BodyNode {
   Matrix6 motion = Matrix6::Zero();  ///< W: its (u, r) for (d, length theta)
 };
 
+/// Returns the vector v of a block W = -[v]x of a body's motion (with theta x v = -[v]x theta).
+inline Eigen::Vector3d turned_vector(const Eigen::Ref<const Eigen::Matrix3d>& block) {
+  return {block(1, 2), block(2, 0), block(0, 1)};
+}
+
 /// A rigid body on one mesh. Its six motions are stored at two of its nodes, the hosts: the displacement of the first
 /// host is d, of the second host length theta.
 struct PlacedBody {

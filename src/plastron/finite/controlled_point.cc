@@ -61,7 +61,8 @@ double ControlledPoint::stiffness(const algebra::Matrix& matrix) const {
 void ControlledPoint::add(double rho, algebra::Matrix& matrix) const {
   if (point_) {
     const constraints::NodeColumns k =
-        on_both_sides(discrete_.coordinates, point_->cell, RowMatrix(rho * cell_row_.transpose() * cell_row_));
+        on_both_sides(discrete_.coordinates, discrete_.coordinates.space->nodes(point_->cell),
+                      RowMatrix(rho * cell_row_.transpose() * cell_row_));
     matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
   }
   matrix.finish();

@@ -37,14 +37,13 @@ void for_reactions(const NodalCoordinates& coordinates, const contact::BoxSoluti
 StepStart start_after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const auto& layout = discrete.space().layout;
-  StepStart next{.zone = algebra::Vector(layout, discrete.obstacle_block())};
+  StepStart next{.prestress = {.contact_forces = algebra::Vector(layout, 6)},
+                 .zone = algebra::Vector(layout, discrete.obstacle_block())};
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     next.prestress.stresses.push_back(discrete.stresses(c, strains_after(discrete, step, c)));
-  next.prestress.contact_couples.assign(static_cast<std::size_t>(layout->owned), 0);
   for_reactions(coordinates, step.box, [&](const ContactRow& row, double force) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    const obstacle::Gap& gap = coordinates.gaps[k][row.node];
-    next.prestress.contact_couples[row.node] += force * gap.arm * gap.normal.dot(discrete.place(row.node).a3);
+    add_contact_force(force, coordinates.gaps[k][row.node], row.node, next.prestress.contact_forces);
     next.zone.at(row.node)[k] = 1;
   });
   next.zone.update_ghosts();

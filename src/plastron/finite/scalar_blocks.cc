@@ -13,10 +13,10 @@ Eigen::MatrixXd weighted_product(const Eigen::MatrixXd& a, const Eigen::VectorXd
   return a.transpose() * weights.asDiagonal() * b;
 }
 
-constraints::NodeColumns on_both_sides(const assembly::NodalCoordinates& coordinates, std::size_t cell,
-                                       RowMatrix matrix) {
-  const RowMatrix half = assembly::in_coordinates(coordinates, cell, std::move(matrix)).matrix;
-  return assembly::in_coordinates(coordinates, cell, half.transpose());
+constraints::NodeColumns on_both_sides(const assembly::NodalCoordinates& coordinates,
+                                       std::span<const algebra::LocalIndex> nodes, RowMatrix matrix) {
+  const RowMatrix half = assembly::in_coordinates(coordinates, nodes, std::move(matrix)).matrix;
+  return assembly::in_coordinates(coordinates, nodes, half.transpose());
 }
 
 constraints::NodeColumns in_coordinates(const assembly::NodalCoordinates& coordinates, std::size_t cell,
@@ -29,7 +29,7 @@ constraints::NodeColumns in_coordinates(const assembly::NodalCoordinates& coordi
       k.block<3, 3>(6 * j + 3, 6 * i).diagonal().setConstant(blocks.of_u_and_r(i, j));
       k.block<3, 3>(6 * i + 3, 6 * j + 3).diagonal().setConstant(blocks.of_r(i, j));
     }
-  return on_both_sides(coordinates, cell, std::move(k));
+  return on_both_sides(coordinates, coordinates.space->nodes(cell), std::move(k));
 }
 
 }  // namespace plastron::finite

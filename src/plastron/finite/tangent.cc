@@ -1,5 +1,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/follower_pressure.hpp>
+#include <plastron/fem/constraints.hpp>
+#include <plastron/finite/motion_curvature.hpp>
 #include <plastron/finite/scalar_blocks.hpp>
 #include <plastron/finite/tangent.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -76,22 +78,6 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
   return k;
 }
 
-/// Adds the curvature of the spheres of directors: -(f_i . d_i) s_i . t_i / |d_i|^2, f_i the couple of all forces on r.
-void add_curvature_of_spheres(const assembly::DiscreteShell& discrete, const algebra::Vector& forces,
-                              const Prestress& prestress, const assembly::NodalCoordinates& coordinates,
-                              algebra::Matrix& matrix) {
-  const auto width = static_cast<Eigen::Index>(coordinates.width);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(forces.layout()->owned); ++i) {
-    if (coordinates.space->constraints.constrains(i)) continue;
-    const Vector3d couple = assembly::node_values(forces, i).tail<3>();
-    const RowMatrix turn = coordinates.basis[i].bottomRows<3>().leftCols(width);
-    const Vector3d& d = discrete.place(i).a3;
-    const RowMatrix k = (prestress.contact_couples[i] - couple.dot(d)) / d.squaredNorm() * turn.transpose() * turn;
-    const auto node = static_cast<algebra::LocalIndex>(i);
-    matrix.add({&node, 1}, {k.data(), static_cast<std::size_t>(k.size())});
-  }
-}
-
 /// Returns the stiffness of a cell by stresses and by pressure that follows it.
 constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                              const assembly::NodalCoordinates& coordinates, std::size_t cell,
@@ -101,47 +87,60 @@ constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& disc
   const auto& pressure = discrete.follower_pressure;
   if (discrete.has_finite_rotations() && !pressure.empty() && pressure[cell].size() > 0)
     k.matrix +=
-        on_both_sides(coordinates, cell,
+        on_both_sides(coordinates, coordinates.space->nodes(cell),
                       discrete.state.load_factor * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
             .matrix;
   return k;
 }
 
-/// Adds the curvature of the spheres to the stiffness of the cells, `of_cell`.
-template <class OfCell>
-algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
-                               const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
-  algebra::Matrix matrix = assembly::matrix_of_cells(*coordinates.space, coordinates.width, of_cell);
+/// Returns the derivative of the energy less all forces but those on rigid bodies, at the nodes: Cartesian forces and couples.
+algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
+                                  const fem::Space& space) {
   algebra::Vector forces = forces_of_stresses(
       discrete.shell, [&](std::size_t c) { return prestress.stresses[c]; },
       [&](std::size_t c) { return discrete.geometry(c); });
   algebra::axpy(-1, discrete.load, forces);
   if (!discrete.has_finite_rotations())
     algebra::axpy(discrete.state.load_factor, assembly::initial_forces(discrete.shell), forces);
-  coordinates.space->constraints.apply_transposed(forces);
-  add_curvature_of_spheres(discrete, forces, prestress, coordinates, matrix);
+  algebra::axpy(-1, prestress.contact_forces, forces);
+  algebra::Vector on_bodies(forces.layout(), 6);
+  for (const fem::PlacedBody& placed : space.bodies) fem::add_body_load(space, placed, on_bodies);
+  algebra::axpy(discrete.state.load_factor, on_bodies, forces);
+  return forces;
+}
+
+/// Adds the curvature of constrained motions to the stiffness of the cells, `of_cell`.
+template <class OfCell>
+algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
+                               const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
+  algebra::Matrix matrix = assembly::matrix_of_cells(*coordinates.space, coordinates.width, of_cell);
+  add_curvature_of_motions(discrete, unbalanced_forces(discrete, prestress, *coordinates.space), coordinates, matrix);
   matrix.finish();
   return matrix;
 }
 
 }  // namespace
 
+void add_contact_force(double force, const obstacle::Gap& gap, std::size_t node, algebra::Vector& forces) {
+  Eigen::Map<Vector3d>(forces.at(node).data()) += force * gap.normal;
+  Eigen::Map<Vector3d>(forces.at(node).data() + 3) += force * gap.arm * gap.normal;
+}
+
 Prestress no_prestress(const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
   return {.stresses = {space.owned_cells, CellStrain(CellStrain::Zero(discrete.shell.tables().points_per_cell(), 8))},
-          .contact_couples = std::vector<double>(static_cast<std::size_t>(space.layout->owned), 0)};
+          .contact_forces = algebra::Vector(space.layout, 6)};
 }
 
 Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   Prestress result;
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     result.stresses.push_back(discrete.stresses(c, discrete.strains(c, solution.y)));
-  result.contact_couples.assign(static_cast<std::size_t>(discrete.space().layout->owned), 0);
+  result.contact_forces = algebra::Vector(discrete.space().layout, 6);
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
-    result.contact_couples[row.node] += solution.pressure.at(row.node)[k] * discrete.points[row.node].weight * gap.arm *
-                                        gap.normal.dot(discrete.place(row.node).a3);
+    add_contact_force(solution.pressure.at(row.node)[k] * discrete.points[row.node].weight,
+                      discrete.coordinates.gaps[k][row.node], row.node, result.contact_forces);
   }
   return result;
 }

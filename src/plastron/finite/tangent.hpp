@@ -17,16 +17,19 @@ using assembly::CellStrain;
 
 /// Data that a step with mixed integration points takes from the step before.
 struct Prestress {
-  std::vector<CellStrain> stresses{};     ///< N, M, Q times area at the quadrature points of owned cells
-  std::vector<double> contact_couples{};  ///< couples of contact forces along the directors of owned nodes [N m]
+  std::vector<CellStrain> stresses{};  ///< N, M, Q times area at the quadrature points of owned cells
+  algebra::Vector contact_forces{};    ///< forces and couples of obstacles on owned nodes (block 6)
   bool is_exact =
       false;  ///< compressive N, and M, act at the points of their own strains: the derivative of the residual
 };
 
-/// Returns no stresses and couples: the tangent stiffness is then that of the material.
+/// Adds the force of a contact row at a node to `forces` (block 6).
+void add_contact_force(double force, const obstacle::Gap& gap, std::size_t node, algebra::Vector& forces);
+
+/// Returns no stresses and contact forces: the tangent stiffness is then that of the material.
 Prestress no_prestress(const assembly::DiscreteShell& discrete);
 
-/// Returns the stresses of a solution and the couples of its contact forces.
+/// Returns the stresses and the contact forces of a solution.
 Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Applies the geometric stiffness of stresses to (u, r) of a cell's nodes:
