@@ -31,9 +31,11 @@ def numbers(outcome):
 
 
 def whole_of_half(found):
-    """The numbers of the whole shell from those of the half at Y > 0."""
+    """The numbers of the whole shell from those of the half at Y > 0. Its modes are only the symmetric ones of the whole."""
     result = {}
     for name, (value, kind) in found.items():
+        if name.startswith("buckling"):
+            continue
         if kind == "energy":
             value = 2 * value
         elif kind == "force":
@@ -50,6 +52,7 @@ def scales(outcome):
                                                              *(o["reaction"] for o in r["obstacles"]), *(b["reaction"] for b in r["rigid_bodies"])]]
     f = twice * max(norm(v) for v in forces)
     u = case.frame.scalar(r["size"]["max_displacement"], length=-1)
+    f = max(f, 1e-3 * twice * abs(found["energy"][0]) / u) if u else f  # initial strains alone: all forces are rounding
     e = max(abs(found["energy"][0]) * twice, 1e-6 * f * u)
     return {"energy": max(e, twice * abs(found["work of the loads"][0])), "force": f, "length": u, "angle": max(r["size"]["max_rotation"], u), "pure": None}
 

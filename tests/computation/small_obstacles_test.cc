@@ -254,6 +254,21 @@ TEST(ABall, ThatGoesFartherThanItIsThickIsFollowed) {
   }
 }
 
+// Between nodes, an obstacle that comes in by a small part of the thickness moves the shell more than a smaller load does.
+TEST(AWire, ThatNodesMissIsNotSolvedHoweverLittleItComesIn) {
+  for (const double depth : {1e-3 * e, 5e-3 * e})
+    for (const double load : {0.0, 1e-9}) {
+      problem::Problem p = strip();
+      p.shell.loads.on_areas = {force(0, 0, -load)};
+      const Result r = solved(p, wire(0.02, depth, 0.5 + 1.0 / 64));
+      EXPECT_NE(r.status, Status::solved) << depth << " " << load;
+      p.accuracy = problem::Accuracy{.goals = {{"reaction", 0.2}}, .max_unknowns = 2e4};
+      p.discretisation.refinements = 0;
+      const Result found = solved(p, wire(0.02, depth, 0.5 + 1.0 / 64));
+      EXPECT_GT(upward(found), 0) << depth << " " << load;
+    }
+}
+
 TEST(ABall, IsFollowedWhereAccuracyIsAskedFor) {
   problem::Problem p = strip();
   p.discretisation.refinements = 0;

@@ -103,6 +103,58 @@ fix = ["u", "r"]
 }
 
 // A clamped plate that lies on a floor from the start, and one that no obstacle reaches.
+// A laminate that its layers bend, and nothing holds: all forces vanish. It may lie on a table under next to no weight.
+TEST(VanishingSum, OfForcesOnAFreeLaminateIsReached) {
+  for (const auto& [L, E] : all_sizes)
+    for (const std::string rotations : {"small", "finite"})
+      for (const double weight : {0.0, 1e-5, 1e-7}) {
+        if (weight > 0 && rotations == "small") continue;  // there the laminate rolls on the table without resistance
+        const std::string on_table = fmt::format(R"case([[load]]
+force = [0, 0, {}]
+[[obstacle]]
+half_space = {{ point = [0, 0, {}] }}
+)case",
+                                                 -weight * E, -0.5 * L);
+        const auto result = solved(fmt::format(
+            R"case([[material]]
+name = "ply"
+E1 = {1}
+E2 = {2}
+nu12 = 0.3
+G12 = {3}
+G13 = {3}
+G23 = {3}
+[[material]]
+name = "stack"
+layers = [{{ material = "ply", thickness = 1, angle = 0, strain = [1e-4, 2e-3, 0] }},
+          {{ material = "ply", thickness = 1, angle = 90, strain = [1e-4, 2e-3, 0] }}]
+[shell]
+material = "stack"
+thickness = {0}
+rotations = "{4}"
+[geometry]
+domain = {{ rectangle = {{ to = [{5}, {6}], cells = [3, 2] }} }}
+chart = ["x", "y", "0"]
+[mesh]
+degree = 4
+refinements = 0
+[[support]]
+point = [0, 0]
+fix = {7}
+[[support]]
+point = [{5}, 0]
+fix = {8}
+{9}
+)case",
+            L, 130e3 * E, 9e3 * E, 5e3 * E, rotations, 50 * L, 30 * L, weight > 0 ? R"(["u.x", "u.y"])" : R"(["u"])",
+            weight > 0 ? R"(["u.y"])" : R"(["u.y", "u.z"])",
+            weight > 0 ? on_table : fmt::format("[[support]]\npoint = [0, {}]\nfix = [\"u.z\"]\n", 30 * L)));
+        EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits << rotations << weight;
+        EXPECT_NEAR(result.summary.energy.total() / (15.9 * E * L * L * L), 1, 3e-2);
+        EXPECT_THAT(result.warnings, testing::Not(testing::Contains(testing::HasSubstr("support at the point"))));
+      }
+}
+
 TEST(VanishingSum, OfAPlateAtRestIsReached) {
   for (const double gap : {0.0, 1.0})
     for (const auto& [L, E] : all_sizes) {

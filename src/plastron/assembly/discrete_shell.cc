@@ -207,6 +207,12 @@ void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const
   algebra::axpy(-1, load, f);
 }
 
+algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete) {
+  algebra::Vector loads = discrete.load;
+  if (discrete.has_finite_rotations()) algebra::axpy(discrete.state.load_factor, initial_forces(discrete.shell), loads);
+  return loads;
+}
+
 algebra::Vector load_rate(const DiscreteShell& discrete) {
   const ShellOperator& shell = discrete.shell;
   algebra::Vector rate = forces_of_stresses(

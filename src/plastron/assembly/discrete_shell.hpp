@@ -113,6 +113,10 @@ algebra::Vector forces_of_stresses(const ShellOperator& shell, const StressesOf&
 /// (collective).
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);
 
+/// Returns the loads at owned nodes with the forces of initial stresses, which are no loads of a shell with finite rotations. They are
+/// what the forces of a shell that nothing else loads are compared with (collective).
+algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete);
+
 /// Returns the derivative of loads less internal forces by the load factor on owned nodes, at the state of a shell with finite
 /// rotations. Forces at constrained nodes have not yet been moved to others (collective).
 algebra::Vector load_rate(const DiscreteShell& discrete);

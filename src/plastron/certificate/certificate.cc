@@ -52,13 +52,12 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::Nod
 }
 
 /// Adds one node with the residual r. Along prescribed coordinates, supports carry what obstacles do not; along free
-/// ones, the rest is the error.
+/// ones, the rest is the error. `load`: with the forces of initial stresses.
 void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t i,
-              const Vector6& r, Sums& sums) {
+              const Vector6& r, const Vector6& load, Sums& sums) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const assembly::NodalPoint& point = discrete.place(i);
-  const Vector6 y = node_values(solution.y, i), in_coordinates = discrete.in_coordinates(solution.y, i),
-                load = node_values(discrete.load, i);
+  const Vector6 y = node_values(solution.y, i), in_coordinates = discrete.in_coordinates(solution.y, i);
   add_scales(point, load, sums);
   if (discrete.space().continuity.constrains(i)) return;
   Vector6 contact = Vector6::Zero();
@@ -163,8 +162,9 @@ Verdict certify(const assembly::DiscreteShell& discrete, const solution::NodalSo
   verdict.entered = add_least_gaps(discrete, solution, verdict.summary);
   add_pushed_nodes(discrete, solution, verdict.summary);
   Sums sums;
+  const algebra::Vector loads = loads_and_initial_forces(discrete);
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    add_node(discrete, solution, i, node_values(r, i), sums);
+    add_node(discrete, solution, i, node_values(r, i), node_values(loads, i), sums);
   add_bodies(bodies, discrete.space().layout->comm, sums);
   auto least = verdict.summary.is_unstrained ? solution::strain_scale(discrete, solution.y, verdict.summary.size)
                                              : solution::StrainScale{};

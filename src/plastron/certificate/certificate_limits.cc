@@ -21,6 +21,8 @@ constexpr double of_largest_pressure = 1e-4;
 constexpr double of_the_mesh = 0.05;
 /// Part of the thickness. Where no node touches an obstacle, a greater depth is contact missed by the nodes.
 constexpr double missed_depth = 1e-2;
+/// The same as a part of the largest displacement, and what is rounding.
+constexpr double missed_part = 0.05, rounding_depth = 1e-8;
 /// Part of the thickness, half the way to the mid-surface. Where nodes touch an obstacle, a greater depth between
 /// them means that the obstacle passes through the shell.
 constexpr double passing_depth = 0.25;
@@ -96,7 +98,10 @@ std::string CertificateLimit::text() const {
 }
 
 double least_gap_allowed(const solution::Summary& summary, const solution::ObstacleContact& obstacle) {
-  return -(obstacle.nodes == 0 ? missed_depth : passing_depth) * summary.least_thickness;
+  if (obstacle.nodes > 0) return -passing_depth * summary.least_thickness;
+  // However thin the depth is, the obstacle would move the shell by it.
+  return -std::clamp(missed_part * summary.max_displacement, rounding_depth * summary.least_thickness,
+                     missed_depth * summary.least_thickness);
 }
 
 std::vector<CertificateLimit> certificate_limits(const Verdict& v, element::Formulation formulation) {

@@ -198,11 +198,12 @@ void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& 
   s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
 }
 
-/// Sum of the norms of the nodal loads, couples divided by `size` [N] (collective).
+/// Sum of the norms of loads_and_initial_forces(), couples divided by `size` [N] (collective).
 double load_norms(const assembly::DiscreteShell& discrete, double size) {
   double sum = 0;
+  const algebra::Vector loads = loads_and_initial_forces(discrete);
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
-    const Vector6 load = node_values(discrete.load, i);
+    const Vector6 load = node_values(loads, i);
     sum += load.head<3>().norm() + load.tail<3>().norm() / size;
   }
   return algebra::sum_over_ranks(sum, discrete.space().layout->comm);
