@@ -24,9 +24,6 @@ constexpr double near_end = 0.1, slow = 0.05;
 /// smaller one lets rounding lead a perfect shell away from the unstable state that it cannot leave by itself.
 constexpr double next_part_of_shift = 1.0 / 16, least_without_contact = 1e-6;
 
-/// Change of the energy in a step that ends the iteration, relative.
-constexpr double negligible_change = 1e-6;
-
 /// Strain that rounding leaves in a shell without forces.
 constexpr double rounding_strain = 1e-15;
 
@@ -87,7 +84,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
   solution::NodalSolution nodal =
       solution::nodal_solution(discrete, algebra::Vector(discrete.space().layout, discrete.obstacle_block()));
   finite::NewtonStep step;
-  double before = std::numeric_limits<double>::infinity(), predicted = 0, energy = before;
+  double before = std::numeric_limits<double>::infinity(), predicted = 0;
   bool lost_stiffness = false;
   algebra::Vector last;
   int lengthenings = 0;
@@ -117,11 +114,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     const bool is_enough = run.is_for_values() && size < near_end && rate * size <= negligible_for_values;
     before = size;
     last = std::move(step.increment);
-    // A shell that its supports turn has small strains beside large displacements: its energy comes to rest later.
-    const double energy_before = energy;
-    if (size < small_step) energy = discrete.energies(discrete.state.displacement).total();
-    const bool is_at_rest = std::abs(energy - energy_before) <= negligible_change * energy;
-    if ((size <= negligible_step && is_at_rest) ||
+    if (size <= negligible_step ||
         (step.shift == 0 && (is_enough || is_rounding || is_unstrained_after(discrete, step))))
       break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
