@@ -34,7 +34,8 @@ bool has_path_to_prove(const assembly::RigidObstacles& obstacles) {
 }
 
 certificate::Station station_of(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
-  certificate::Station station{.displacement = y, .time = discrete.state.time, .positions = discrete.positions()};
+  certificate::Station station{
+      .displacement = y, .time = discrete.state.factors.time, .positions = discrete.positions()};
   station.displacement.update_ghosts();
   return station;
 }

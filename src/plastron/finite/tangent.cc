@@ -102,7 +102,7 @@ constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& disc
   if (discrete.has_finite_rotations() && !pressure.empty() && pressure[cell].size() > 0)
     k.matrix +=
         on_both_sides(coordinates, cell,
-                      discrete.state.load_factor * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
+                      discrete.state.factors.loads * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
             .matrix;
   return k;
 }
@@ -117,7 +117,7 @@ algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Pr
       [&](std::size_t c) { return discrete.geometry(c); });
   algebra::axpy(-1, discrete.load, forces);
   if (!discrete.has_finite_rotations())
-    algebra::axpy(discrete.state.load_factor, assembly::initial_forces(discrete.shell), forces);
+    algebra::axpy(discrete.state.factors.loads, assembly::initial_forces(discrete.shell), forces);
   coordinates.space->constraints.apply_transposed(forces);
   add_curvature_of_spheres(discrete, forces, prestress, coordinates, matrix);
   matrix.finish();
