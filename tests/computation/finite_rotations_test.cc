@@ -165,7 +165,7 @@ TEST(PartsThatAreChosen, ShowWhereACapSnaps) {
   EXPECT_LT(jump->factors.loads - std::prev(jump)->factors.loads, 0.4 / 60);
   EXPECT_EQ(r.history.back().factors.loads, 0.4);
   EXPECT_LT(r.history.size(), 30U);
-  EXPECT_TRUE(std::ranges::is_sorted(r.history, {}, &HistoryEntry::time));
+  EXPECT_TRUE(std::ranges::is_sorted(r.history, {}, [](const HistoryEntry& h) { return h.factors.time; }));
   EXPECT_THAT(r.warnings, Contains(testing::AllOf(HasSubstr("the shell snaps to another equilibrium at time"),
                                                   HasSubstr("shorter ones do not help"))));
 }

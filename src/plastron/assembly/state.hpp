@@ -1,6 +1,7 @@
 // The state at which the shell is linearised, and the six values (u, r) of a node in a vector.
 #pragma once
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/factors.hpp>
 
 #include <Eigen/Core>
 
@@ -22,16 +23,6 @@ struct Control {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   double displacement = 0;  ///< [m]
-};
-
-/// The place in the history of loading, and the factors there of what the case gives.
-struct Factors {
-  double time = 0;               ///< number of finished steps, including the part of this one
-  double loads = 1;              ///< factor of all loads; under control that of the present state
-  double supports = 1;           ///< factor of the prescribed components of supports and rigid bodies
-  std::vector<double> forces{};  ///< factors of the forces that press obstacles; empty: 1
-
-  double force(std::size_t obstacle) const { return forces.empty() ? 1 : forces[obstacle]; }
 };
 
 struct State {

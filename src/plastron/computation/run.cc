@@ -46,7 +46,7 @@ bool Run::has_time_for(const problem::Instant& instant) {
   if (!is_time_over()) return true;
   missed_accuracy += fmt::format("{}max_seconds = {:g} was over before time {:g}", missed_accuracy.empty() ? "" : "; ",
                                  problem.accuracy->max_seconds, instant.factors.time);
-  if (at) missed_accuracy += fmt::format(", and the result is that of time {:g}", at->time);
+  if (at) missed_accuracy += fmt::format(", and the result is that of time {:g}", at->factors.time);
   return false;
 }
 
@@ -118,9 +118,10 @@ ContactTrend Run::expected_contact(const problem::Instant* later) {
   if (!later) return now;
   const std::optional<PreviousInstant> earlier = std::exchange(before, {});
   if (!at) return now;
-  before = PreviousInstant{at->time, now};
+  before = PreviousInstant{at->factors.time, now};
   if (!earlier || at->step != later->step || earlier->time < at->step) return now;
-  return continued(std::move(now), earlier->trend, (later->time - at->time) / (at->time - earlier->time));
+  return continued(std::move(now), earlier->trend,
+                   (later->factors.time - at->factors.time) / (at->factors.time - earlier->time));
 }
 
 void Run::rest_at(const problem::Instant& start, std::unique_ptr<assembly::DiscreteShell> discrete) {

@@ -1,6 +1,7 @@
 // Plain values that define a computation: geometry, shell, supports, loads, obstacle, discretisation.
 #pragma once
 #include <plastron/assembly/description.hpp>
+#include <plastron/assembly/factors.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/domain/domain.hpp>
 #include <plastron/fem/constraints.hpp>
