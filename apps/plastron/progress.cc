@@ -136,8 +136,8 @@ void Progress::instant(const computation::HistoryEntry& entry) {
     print("{}\n", entry.summary.obstacles.size() > most_obstacles ? "  others: history.csv" : "");
   }
   has_instants_ = true;
-  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e} {:>8.2g}", entry.time,
-        geometry::shortened(entry.step, 20), entry.load_factor, entry.level.active, entry.level.iterations,
+  print("{:>9.4g} {:<20} {:>7.3g} {:>8} {:>6} {:>16.6e} {:>16.9e} {:>8.2g}", entry.factors.time,
+        geometry::shortened(entry.step, 20), entry.factors.loads, entry.level.active, entry.level.iterations,
         entry.summary.max_displacement, entry.summary.energy.total(), entry.summary.max_relative_displacement);
   for (const auto& obstacle : obstacles) print(" {:>18.6e}", obstacle.reaction.force.norm());
   print("{}\n", entry.status == contact::Status::solved ? "" : fmt::format("  {}", contact::to_string(entry.status)));
@@ -311,7 +311,7 @@ void print_largest_of_steps(const computation::Result& result) {
   if (!(s.max_displacement > more * result.summary.max_displacement)) return;
   print(
       "at time {:<10.4g}|u| {:.4g} m, or {:.4g} thicknesses, |r| {:.4g} rad, strain {:.2g} %, the most of all times\n",
-      most.time, s.max_displacement, s.max_relative_displacement, s.max_rotation, 100 * s.max_strain);
+      most.factors.time, s.max_displacement, s.max_relative_displacement, s.max_rotation, 100 * s.max_strain);
 }
 
 }  // namespace

@@ -346,7 +346,7 @@ TEST(Accuracy, StopsAMeshWhoseTimeIsOver) {
 /// Instants on the finest mesh also take time. None is computed beyond the limit.
 TEST(Accuracy, EndsBetweenInstantsWhenTimeIsOver) {
   problem::Problem p = accurate_bowl(0.3);
-  p.steps = {{.name = "down", .load_factor = 1, .parts = 5}};
+  p.steps = {{.name = "down", .factors = {.loads = 1}, .parts = 5}};
   p.accuracy->max_seconds = 1e-6;
   const Result result = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(result.status, contact::Status::accuracy_not_reached);
@@ -495,7 +495,7 @@ TEST(Accuracy, IsReachedAtEachInstantOfAnObstacleThatSlides) {
     EXPECT_EQ(r.levels.back().unknowns, r.history.back().level.unknowns);
     for (const HistoryEntry& instant : r.history) {
       problem::Problem alone = slid_on_plate(sliding);
-      alone.shell.obstacles.all[0].placement.translation = down + (instant.time - 1) * sliding.along;
+      alone.shell.obstacles.all[0].placement.translation = down + (instant.factors.time - 1) * sliding.along;
       const Result own = solve(alone, MPI_COMM_WORLD);
       ASSERT_EQ(own.status, contact::Status::solved) << own.missed_limits;
       const auto value = [](const solution::Summary& s) {
@@ -503,8 +503,8 @@ TEST(Accuracy, IsReachedAtEachInstantOfAnObstacleThatSlides) {
       };
       const auto [energy, reaction] = value(own.summary);
       const auto [energy_in_step, reaction_in_step] = value(instant.summary);
-      EXPECT_NEAR(energy_in_step / energy, 1, 3e-2) << instant.time;
-      EXPECT_NEAR(reaction_in_step / reaction, 1, 3e-2) << instant.time;
+      EXPECT_NEAR(energy_in_step / energy, 1, 3e-2) << instant.factors.time;
+      EXPECT_NEAR(reaction_in_step / reaction, 1, 3e-2) << instant.factors.time;
       ASSERT_EQ(instant.level.goals.size(), 2U);
       for (const estimation::GoalRecord& goal : instant.level.goals) EXPECT_TRUE(goal.is_met()) << goal.name;
     }
@@ -514,7 +514,7 @@ TEST(Accuracy, IsReachedAtEachInstantOfAnObstacleThatSlides) {
 /// An instant that misses the accuracy is named, also where later ones reach it.
 TEST(Accuracy, ThatIsMissedAtAnInstantIsTold) {
   problem::Problem p = accurate_bowl(1e-2);
-  p.steps = {{.name = "down"}, {.name = "up", .load_factor = 0.1}};
+  p.steps = {{.name = "down"}, {.name = "up", .factors = {.loads = 0.1}}};
   p.accuracy->max_unknowns = 1500;
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.history.size(), 2U);
@@ -527,11 +527,11 @@ TEST(Accuracy, ThatIsMissedAtAnInstantIsTold) {
 TEST(Accuracy, IsReachedAtTheLastInstant) {
   constexpr double tolerance = 1e-2;
   problem::Problem p = accurate_bowl(tolerance);
-  p.steps = {{.name = "a little", .load_factor = 0.3}, {.name = "all", .load_factor = 1}};
+  p.steps = {{.name = "a little", .factors = {.loads = 0.3}}, {.name = "all", .factors = {.loads = 1}}};
   const Result result = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   ASSERT_EQ(result.history.size(), 2U);
-  EXPECT_EQ(result.history[0].load_factor, 0.3);
+  EXPECT_EQ(result.history[0].factors.loads, 0.3);
   EXPECT_LT(result.history[0].summary.energy.total(), 0.3 * bowl_energy);
   EXPECT_NEAR(result.summary.energy.total(), bowl_energy, (tolerance + known_to) * bowl_energy);
   EXPECT_NEAR(result.summary.reaction.force.z(), bowl_reaction, (tolerance + known_to) * bowl_reaction);

@@ -78,7 +78,7 @@ problem::Problem under_pressed_ball() {
 problem::Problem in_steps() {
   problem::Problem p = on_ball();
   p.shell.obstacles.all[0].motions = {obstacle::Motion{.translation = {0, 0, 0.002}}};
-  p.steps = {{.name = "lift", .load_factor = 1, .parts = 2}};
+  p.steps = {{.name = "lift", .factors = {.loads = 1}, .parts = 2}};
   return p;
 }
 

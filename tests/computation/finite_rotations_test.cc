@@ -77,7 +77,7 @@ TEST(FiniteRotations, OfAStripThatARigidBodyRollsUpToACircle) {
   ASSERT_EQ(r.summary.body_reactions.size(), 1U);
   EXPECT_NEAR(r.summary.body_reactions[0].rotation[1], -theta, 1e-9);
   EXPECT_NEAR((r.summary.body_reactions[0].displacement - Eigen::Vector3d(-1, 0, 0)).norm(), 0, 1e-7);
-  EXPECT_EQ(r.history[2].support_factor, 0.5);
+  EXPECT_EQ(r.history[2].factors.supports, 0.5);
   EXPECT_NEAR(r.history[2].summary.body_reactions[0].rotation[1], -theta / 2, 1e-9);
 }
 
@@ -136,17 +136,17 @@ TEST(LoadsThatFollowADisplacement, PassTheLimitPointOfACap) {
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   const HistoryEntry& limit = r.history.at(1);
-  EXPECT_NEAR(limit.load_factor / 0.269507572237496, 1, 1e-5);
+  EXPECT_NEAR(limit.factors.loads / 0.269507572237496, 1, 1e-5);
   EXPECT_NEAR(limit.summary.energy.total() / 2.87445331776456e-07, 1, 1e-5);
   EXPECT_NEAR(limit.probes[0].values.u[2], -0.02076279827, 1e-12);
   EXPECT_NEAR(*limit.stability->margin_under_loads, 0, 1e-4);
   EXPECT_NEAR(*limit.controlled_displacement, -0.02076279827, 1e-15);
   // Beyond it, less load is in equilibrium: stable as long as the deflection is controlled, until the load rises again.
-  EXPECT_LT(r.history[3].load_factor, 0.9 * limit.load_factor);
+  EXPECT_LT(r.history[3].factors.loads, 0.9 * limit.factors.loads);
   EXPECT_GT(r.history[3].stability->margin, 0.1);
   EXPECT_LT(*r.history[3].stability->margin_under_loads, -0.2);
   EXPECT_GT(*r.history.back().stability->margin_under_loads, 0.2);
-  EXPECT_EQ(r.history.back().load_factor, r.solution->discrete->state.load_factor);
+  EXPECT_EQ(r.history.back().factors.loads, r.solution->discrete->state.factors.loads);
 }
 
 // Parts that are chosen are short where a cap snaps through, and long elsewhere. Its limit point is at 0.2695.
@@ -154,18 +154,18 @@ TEST(PartsThatAreChosen, ShowWhereACapSnaps) {
   problem::Problem p = disk_of({"x", "y", "sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.3), 1);
   p.shell.rotations = element::Rotations::finite;
   p.shell.loads.on_areas = {force(0, 0, -1e-3)};
-  p.steps = {{.name = "all", .load_factor = 0.4, .chooses_parts = true}};
+  p.steps = {{.name = "all", .factors = {.loads = 0.4}, .chooses_parts = true}};
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   const auto jump = std::ranges::find_if(r.history, [](const HistoryEntry& h) { return h.level.has_jumped; });
   ASSERT_NE(jump, r.history.end());
   ASSERT_NE(jump, r.history.begin());
-  EXPECT_LT(std::prev(jump)->load_factor, 0.2696);
-  EXPECT_GT(jump->load_factor, 0.2695);
-  EXPECT_LT(jump->load_factor - std::prev(jump)->load_factor, 0.4 / 60);
-  EXPECT_EQ(r.history.back().load_factor, 0.4);
+  EXPECT_LT(std::prev(jump)->factors.loads, 0.2696);
+  EXPECT_GT(jump->factors.loads, 0.2695);
+  EXPECT_LT(jump->factors.loads - std::prev(jump)->factors.loads, 0.4 / 60);
+  EXPECT_EQ(r.history.back().factors.loads, 0.4);
   EXPECT_LT(r.history.size(), 30U);
-  EXPECT_TRUE(std::ranges::is_sorted(r.history, {}, &HistoryEntry::time));
+  EXPECT_TRUE(std::ranges::is_sorted(r.history, {}, [](const HistoryEntry& h) { return h.factors.time; }));
   EXPECT_THAT(r.warnings, Contains(testing::AllOf(HasSubstr("the shell snaps to another equilibrium at time"),
                                                   HasSubstr("shorter ones do not help"))));
 }
@@ -195,9 +195,9 @@ TEST(LoadsThatFollowADisplacement, AreThoseOfAnArchThatSnaps) {
   p.steps = {controlled("crown", -0.006, 1), controlled("crown", -0.018, 1), controlled("crown", -0.054, 6)};
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
-  EXPECT_NEAR(r.history[0].load_factor, 19.34777, 1e-4);
-  EXPECT_NEAR(r.history[1].load_factor, 35.12692, 1e-4);
-  EXPECT_NEAR(r.history[7].load_factor, 13.34605, 1e-4);
+  EXPECT_NEAR(r.history[0].factors.loads, 19.34777, 1e-4);
+  EXPECT_NEAR(r.history[1].factors.loads, 35.12692, 1e-4);
+  EXPECT_NEAR(r.history[7].factors.loads, 13.34605, 1e-4);
   EXPECT_THAT(r.warnings, Contains(HasSubstr("under these loads alone the shell snaps")));
 }
 
@@ -260,7 +260,7 @@ TEST(FiniteRotations, ComeBackToTheUnloadedState) {
   problem::Problem p = disk_of({"x", "y", "sqrt(1-x^2-y^2)"}, 0.02, std::sin(0.3), 0);
   p.shell.rotations = element::Rotations::finite;
   p.shell.loads.on_areas = {force(0, 0, -1e-4)};
-  p.steps = {{.name = "press"}, {.name = "release", .load_factor = 0}};
+  p.steps = {{.name = "press"}, {.name = "release", .factors = {.loads = 0}}};
   const Result r = solve(p, MPI_COMM_WORLD);
   EXPECT_EQ(r.status, contact::Status::solved) << r.missed_limits;
   EXPECT_LT(r.summary.max_displacement, 1e-14);
@@ -290,7 +290,7 @@ TEST(LoadsThatFollowADisplacement, AreThoseThatBringItAboutInContact) {
   const Result followed = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(followed.status, contact::Status::solved) << followed.missed_limits;
   EXPECT_GT(followed.summary.obstacles.at(0).nodes, 0);
-  p.steps = {{.name = "all", .load_factor = followed.history.back().load_factor}};
+  p.steps = {{.name = "all", .factors = {.loads = followed.history.back().factors.loads}}};
   const Result given = solve(p, MPI_COMM_WORLD);
   EXPECT_NEAR(followed.summary.energy.total() / given.summary.energy.total(), 1, 1e-9);
   EXPECT_NEAR(followed.summary.reaction.force[2] / given.summary.reaction.force[2], 1, 1e-9);
@@ -321,7 +321,7 @@ TEST(RingsBetweenPlates, TakeFewFactorisationsWhileTheirContactMoves) {
   for (const HistoryEntry& h : r.history) {
     newton_steps += h.level.linearisations;
     factorisations += h.level.factorisations;
-    const double d = 2 - 0.95 * h.time;
+    const double d = 2 - 0.95 * h.factors.time;
     const double expected = 5.7422 / 2 * width * std::pow(e, 3) / (12 * (1 - 0.09) * d * d);  // half of the ring
     if (d < 1.4) {
       EXPECT_NEAR(h.summary.obstacles[1].reaction.force.norm() / expected, 1, 0.01) << d;

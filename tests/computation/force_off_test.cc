@@ -55,7 +55,7 @@ TEST(AForceOf0, LetsTheShellSpringBackWhateverThePartsAre) {
     problem::Problem both = plate(v.rotations, v.unit), one = both;
     const Obstacle a = ball("A", 0.6, v.side, force, v.unit), b = ball("B", 1.4, v.side, force, v.unit);
     both.shell.obstacles.all = {a, b};
-    both.steps = {{.name = "on"}, {.name = "off", .parts = v.parts, .force_factors = {0, 1}}};
+    both.steps = {{.name = "on"}, {.name = "off", .factors = {.forces = {0, 1}}, .parts = v.parts}};
     one.shell.obstacles.all = {b};
     const Result r = of(both), alone = of(one);
     ASSERT_EQ(r.status, Status::solved) << status_text(r);
@@ -70,7 +70,7 @@ TEST(AForceOf0, LetsTheShellSpringBackWhateverThePartsAre) {
 TEST(AForceOf0, LeavesAShellAtRestThatTheObstacleTouches) {
   problem::Problem p = plate(element::Rotations::finite, 1);
   p.shell.obstacles.all = {ball("A", 1, 1, 1e-5, 1)};
-  p.steps = {{.name = "on"}, {.name = "off", .force_factors = {0}}};
+  p.steps = {{.name = "on"}, {.name = "off", .factors = {.forces = {0}}}};
   const Result r = of(p);
   ASSERT_EQ(r.status, Status::solved) << status_text(r);
   EXPECT_LT(r.summary.max_displacement, 1e-6);

@@ -30,15 +30,15 @@ obstacle::Motion down(double way) { return {.translation = {0, 0, -way}}; }
 TEST(Instants, GoInEqualPartsFromWhatWasToWhatTheStepSays) {
   problem::Problem p = plate();
   EXPECT_EQ(problem::instants(p).size(), 1U);
-  EXPECT_EQ(problem::instants(p)[0].time, 0);
-  EXPECT_EQ(problem::instants(p)[0].load_factor, 1);
-  p.steps = {{.name = "a", .load_factor = 1, .parts = 2}, {.name = "b", .load_factor = 4, .parts = 3}};
+  EXPECT_EQ(problem::instants(p)[0].factors.time, 0);
+  EXPECT_EQ(problem::instants(p)[0].factors.loads, 1);
+  p.steps = {{.name = "a", .factors = {.loads = 1}, .parts = 2}, {.name = "b", .factors = {.loads = 4}, .parts = 3}};
   const auto all = problem::instants(p);
   ASSERT_EQ(all.size(), 5U);
   const std::vector<double> times{0.5, 1, 1 + 1.0 / 3, 1 + 2.0 / 3, 2}, factors{0.5, 1, 2, 3, 4};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_NEAR(all[i].time, times[i], 1e-15);
-    EXPECT_NEAR(all[i].load_factor, factors[i], 1e-15);
+    EXPECT_NEAR(all[i].factors.time, times[i], 1e-15);
+    EXPECT_NEAR(all[i].factors.loads, factors[i], 1e-15);
   }
 }
 
@@ -55,12 +55,12 @@ TEST(PrescribedComponents, ChangeInTheParts) {
           {.boundary = "right",
            .components = {fixed(assembly::Unknown::displacement, assembly::Direction::z, Expression(0.1))}});
     p.discretisation = {.degree = 2, .refinements = 1};
-    p.steps = {{.name = "lift", .parts = 2}, {.name = "down", .support_factor = -0.25}};
+    p.steps = {{.name = "lift", .parts = 2}, {.name = "down", .factors = {.supports = -0.25}}};
     const Result r = solve(p, MPI_COMM_WORLD);
     ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
     const std::vector<double> factors{0.5, 1, -0.25};
     for (std::size_t i = 0; i < factors.size(); ++i) {
-      EXPECT_EQ(r.history[i].support_factor, factors[i]);
+      EXPECT_EQ(r.history[i].factors.supports, factors[i]);
       EXPECT_NEAR(r.history[i].summary.max_displacement / r.history[1].summary.max_displacement, std::abs(factors[i]),
                   1e-9);
       EXPECT_NEAR(r.history[i].summary.energy.total() / r.history[1].summary.energy.total(), factors[i] * factors[i],
@@ -74,7 +74,8 @@ TEST(PrescribedComponents, ChangeInTheParts) {
 
 TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
   problem::Problem many = plate(), one = plate();
-  many.steps = {{.name = "weight", .load_factor = 1, .parts = 2}, {.name = "press", .load_factor = 1, .parts = 3}};
+  many.steps = {{.name = "weight", .factors = {.loads = 1}, .parts = 2},
+                {.name = "press", .factors = {.loads = 1}, .parts = 3}};
   many.shell.obstacles.all[0].motions = {obstacle::Motion{}, obstacle::Motion{}};
   many.shell.obstacles.all[1].motions = {obstacle::Motion{}, down(0.0115)};
   one.shell.obstacles.all[1].placement.translation = {0, 0, -0.0115};
@@ -92,8 +93,8 @@ TEST(TheEndOfTheSteps, IsWhatOneStepGives) {
   EXPECT_GT(a.summary.obstacles.at(1).nodes, 0);
   EXPECT_NEAR(a.summary.obstacles.at(1).translation[2], -0.0115, 1e-15);
   EXPECT_EQ(a.history.back().step, "press");
-  EXPECT_EQ(a.history.back().time, 2);
-  EXPECT_EQ(a.history[0].load_factor, 0.5);
+  EXPECT_EQ(a.history.back().factors.time, 2);
+  EXPECT_EQ(a.history[0].factors.loads, 0.5);
   EXPECT_NEAR(a.history[0].summary.loads.force[2], -0.6e-4, 1e-16);
 }
 
@@ -118,7 +119,7 @@ TEST(AStep, TakesOneFactorisationForEachOfItsPartsAndFewActiveSets) {
   problem::Problem p = plate();
   p.shell.obstacles.all.erase(p.shell.obstacles.all.begin() + 1);
   p.discretisation = {.degree = 2, .refinements = 4};
-  p.steps = {{.name = "press", .load_factor = 4, .parts = 12}};
+  p.steps = {{.name = "press", .factors = {.loads = 4}, .parts = 12}};
   const Result r = solve(p, MPI_COMM_WORLD);
   ASSERT_EQ(r.status, contact::Status::solved);
   ASSERT_EQ(r.history.size(), 12U);
@@ -139,8 +140,8 @@ TEST(TheObserver, HearsOfEveryInstantWithItsSolution) {
   p.steps = {{.name = "press", .parts = 3}};
   std::vector<double> times;
   const Result r = solve(p, MPI_COMM_WORLD, {.instant = [&](const HistoryEntry& entry, const Solution& solution) {
-                           times.push_back(entry.time);
-                           EXPECT_EQ(solution.discrete->state.time, entry.time);
+                           times.push_back(entry.factors.time);
+                           EXPECT_EQ(solution.discrete->state.factors.time, entry.factors.time);
                          }});
   ASSERT_EQ(times.size(), 3U);
   EXPECT_EQ(times.back(), 1);

@@ -118,7 +118,7 @@ TEST(Verification, FailsWhereAnotherLoadWasCarried) {
   problem::Problem p = cantilever_plate();  // linear: ten times the load gives ten times the displacement
   const Verification v = verified(p, [&](StoredSolution& s, const assembly::DiscreteShell&) {
     tenfold(s.nodal.y);
-    s.state.load_factor = 10;
+    s.state.factors.loads = 10;
   });
   EXPECT_THAT(failing(v), testing::ElementsAre("load_error"));
 }

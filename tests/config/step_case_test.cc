@@ -35,14 +35,14 @@ TEST(Steps, KeepLoadsAndForcesUntilTheyAreGivenAnew) {
   EXPECT_EQ(problem.steps[0].name, "step-1");
   EXPECT_EQ(problem.steps[1].name, "press");
   EXPECT_EQ(problem.steps[1].parts, 4);
-  EXPECT_EQ(problem.steps[0].load_factor, 0.5);
-  EXPECT_EQ(problem.steps[1].load_factor, 0.5);
-  EXPECT_EQ(problem.steps[2].load_factor, 2);
-  EXPECT_EQ(problem.steps[0].support_factor, -1);
-  EXPECT_EQ(problem.steps[2].support_factor, -1);
-  EXPECT_EQ(problem.steps[0].force_factors, std::vector<double>({1, 1, 0}));
-  EXPECT_EQ(problem.steps[1].force_factors, std::vector<double>({1, 1, 3}));
-  EXPECT_EQ(problem.steps[2].force_factors, std::vector<double>({1, 1, 3}));
+  EXPECT_EQ(problem.steps[0].factors.loads, 0.5);
+  EXPECT_EQ(problem.steps[1].factors.loads, 0.5);
+  EXPECT_EQ(problem.steps[2].factors.loads, 2);
+  EXPECT_EQ(problem.steps[0].factors.supports, -1);
+  EXPECT_EQ(problem.steps[2].factors.supports, -1);
+  EXPECT_EQ(problem.steps[0].factors.forces, std::vector<double>({1, 1, 0}));
+  EXPECT_EQ(problem.steps[1].factors.forces, std::vector<double>({1, 1, 3}));
+  EXPECT_EQ(problem.steps[2].factors.forces, std::vector<double>({1, 1, 3}));
 }
 
 TEST(Parts, AreANumberOrChosen) {

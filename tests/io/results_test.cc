@@ -53,8 +53,11 @@ computation::Result some_result(bool has_obstacle) {
                   {.kind = computation::Mode::Kind::vibration, .value = 9}};
   result.levels.push_back(
       {.cells = 3'000'000'000, .history = {{.active = 7, .safeguarded = true}}, .seconds = {.mesh = 2, .assembly = 3}});
-  result.history.push_back(
-      {.step = "press", .time = 1, .level = result.levels.back(), .summary = result.summary, .probes = result.probes});
+  result.history.push_back({.step = "press",
+                            .factors = {.time = 1},
+                            .level = result.levels.back(),
+                            .summary = result.summary,
+                            .probes = result.probes});
   result.history.back().level.goals = {{.name = "energy", .value = 2, .error = 0.25, .tolerance = 1e-3, .scale = 2}};
   return result;
 }

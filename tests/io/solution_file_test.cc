@@ -85,8 +85,8 @@ TEST(SolutionFile, GivesEveryDigitBack) {
     ASSERT_EQ(stored.state.is_admissible(), state.is_admissible());
     if (state.is_admissible()) expect_equal(stored.state.lifts, state.lifts);
     some_lifts = some_lifts || (state.is_admissible() && algebra::max_abs(state.lifts) > 0);
-    EXPECT_EQ(stored.state.time, state.time);
-    EXPECT_EQ(stored.state.load_factor, state.load_factor);
+    EXPECT_EQ(stored.state.factors.time, state.factors.time);
+    EXPECT_EQ(stored.state.factors.loads, state.factors.loads);
     some_deformed = some_deformed || state.is_deformed();
     some_multiplier = some_multiplier || solution.nodal.lambda.layout() != nullptr;
   }

@@ -66,7 +66,7 @@ parts = 10
   EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
   EXPECT_NEAR(result.summary.energy.total() / energy, 1, 1e-4);
   for (const auto& instant : result.history)
-    EXPECT_EQ(instant.status, contact::Status::solved) << "time " << instant.time;
+    EXPECT_EQ(instant.status, contact::Status::solved) << "time " << instant.factors.time;
 }
 
 }  // namespace

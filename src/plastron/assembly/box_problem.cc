@@ -101,7 +101,7 @@ std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coor
   for (const std::size_t k : pressed_obstacles(obstacles, state)) {
     const algebra::Vector zero(coordinates.lower.layout(), coordinates.width);
     forces.push_back(
-        {.lower_shape = zero, .upper_shape = zero, .force = state.force_factor(k) * obstacles.all[k].force.norm()});
+        {.lower_shape = zero, .upper_shape = zero, .force = state.factors.force(k) * obstacles.all[k].force.norm()});
     for (const ContactRow& row : coordinates.rows) {
       if (!row.binds || static_cast<std::size_t>(row.obstacle) != k) continue;
       algebra::Vector& shape = row.scale > 0 ? forces.back().lower_shape : forces.back().upper_shape;
@@ -159,7 +159,7 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
 std::vector<std::size_t> pressed_obstacles(const RigidObstacles& obstacles, const State& state) {
   std::vector<std::size_t> pressed;
   for (std::size_t k = 0; k < obstacles.all.size(); ++k)
-    if (obstacles.all[k].is_pressed() && state.force_factor(k) > 0) pressed.push_back(k);
+    if (obstacles.all[k].is_pressed() && state.factors.force(k) > 0) pressed.push_back(k);
   return pressed;
 }
 

@@ -14,7 +14,8 @@ namespace plastron::assembly {
 RigidObstacles RigidObstacles::standing(const State& state) const {
   RigidObstacles result{
       .moved = std::vector<Vector3d>(all.size(), Vector3d::Zero()), .face_scale = face_scale, .are_linear = are_linear};
-  for (std::size_t k = 0; k < all.size(); ++k) result.all.push_back(all[k].standing(state.time, state.position(k)));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    result.all.push_back(all[k].standing(state.factors.time, state.position(k)));
   return result;
 }
 
@@ -96,7 +97,7 @@ void linearise(DiscreteShell& discrete, State state) {
   discrete.state = std::move(state);
   discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
   discrete.unit_load = discrete.full_load;
-  const double part = discrete.state.support_factor;
+  const double part = discrete.state.factors.supports;
   auto space = fem::with_part_of_motions(discrete.shell.space_pointer(), part);
   auto supports = node_supports(*space, discrete.shell.surface(), discrete.points, discrete.supports);
   for (NodeSupport& support : supports)
@@ -108,7 +109,7 @@ void linearise(DiscreteShell& discrete, State state) {
     discrete.coordinates = nodal_coordinates(std::move(space), discrete.points, supports, discrete.obstacles,
                                              discrete.tangency.formulation, discrete.state);
   discrete.load = discrete.unit_load;
-  for (double& value : discrete.load.local()) value *= discrete.state.load_factor;
+  for (double& value : discrete.load.local()) value *= discrete.state.factors.loads;
 }
 
 std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,
@@ -129,7 +130,7 @@ CellStrain DiscreteShell::strains(std::size_t cell, const algebra::Vector& y) co
 
 CellStrain DiscreteShell::stresses(std::size_t cell, const CellStrain& strains) const {
   CellStrain stresses = shell.weighted_stresses(cell, strains);
-  if (const auto initial = shell.weighted_initial_stresses(cell)) stresses -= state.load_factor * *initial;
+  if (const auto initial = shell.weighted_initial_stresses(cell)) stresses -= state.factors.loads * *initial;
   return stresses;
 }
 
@@ -209,7 +210,8 @@ void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const
 
 algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete) {
   algebra::Vector loads = discrete.load;
-  if (discrete.has_finite_rotations()) algebra::axpy(discrete.state.load_factor, initial_forces(discrete.shell), loads);
+  if (discrete.has_finite_rotations())
+    algebra::axpy(discrete.state.factors.loads, initial_forces(discrete.shell), loads);
   return loads;
 }
 

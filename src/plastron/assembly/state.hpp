@@ -1,6 +1,7 @@
 // The state at which the shell is linearised, and the six values (u, r) of a node in a vector.
 #pragma once
 #include <plastron/algebra/vector.hpp>
+#include <plastron/assembly/factors.hpp>
 
 #include <Eigen/Core>
 
@@ -27,18 +28,14 @@ struct Control {
 struct State {
   /// (u, r) of local nodes, six values for each node, with current ghosts. Without a layout the shell is undeformed.
   algebra::Vector displacement{};
-  double time = 0;                      ///< time of moving obstacles, see obstacle::Obstacle::standing()
-  double load_factor = 1;               ///< factor of the given loads; under control that of the present state
-  std::optional<Control> control{};     ///< with finite rotations
-  double support_factor = 1;            ///< factor of the prescribed components of supports and rigid bodies
-  std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
-  std::vector<double> positions{};      ///< positions of pressed obstacles along their forces; empty: 0 [m]
+  Factors factors{};
+  std::optional<Control> control{};  ///< with finite rotations
+  std::vector<double> positions{};   ///< positions of pressed obstacles along their forces; empty: 0 [m]
   /// Lower limits of the gaps at local nodes in place of 0, by obstacle, with current ghosts [m]. They keep the shell
   /// out of the obstacles also between its nodes. Without a layout there are no such limits.
   algebra::Vector lifts{};
 
   bool is_deformed() const { return displacement.layout() != nullptr; }
-  double force_factor(std::size_t obstacle) const { return force_factors.empty() ? 1 : force_factors[obstacle]; }
   double position(std::size_t obstacle) const { return positions.empty() ? 0 : positions[obstacle]; }
   bool is_admissible() const { return lifts.layout() != nullptr; }
   double lift(std::size_t node, std::size_t obstacle) const { return is_admissible() ? lifts.at(node)[obstacle] : 0; }

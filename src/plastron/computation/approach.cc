@@ -17,7 +17,7 @@ using enum contact::Status;
 /// Warns that an instant on the way has no solution, or one that misses a limit.
 void tell_missed(Run& run, const problem::Instant& instant) {
   if (run.missed_between.empty())
-    run.missed_between = fmt::format("on the way to time {:g}: {}", instant.time, status_text(run.result));
+    run.missed_between = fmt::format("on the way to time {:g}: {}", instant.factors.time, status_text(run.result));
   run.warn({run.missed_between});
 }
 

@@ -107,7 +107,7 @@ Level measured(const assembly::DiscreteShell& discrete, const solution::NodalSol
   return {.cells = space.global_cells,
           .nodes = space.layout->global_size,
           .unknowns = width * space.layout->global_size,
-          .time = discrete.state.time,
+          .time = discrete.state.factors.time,
           .active = verdict.summary.touching_nodes,
           .gap_error = gap_error(discrete, solution).at_contact,
           .energy = verdict.summary.energy.total(),

@@ -125,7 +125,7 @@ double force_error(const assembly::DiscreteShell& discrete, const solution::Summ
                    const std::vector<std::size_t>& pressed) {
   double most = 0;
   for (const std::size_t k : pressed) {
-    const Eigen::Vector3d given = discrete.state.force_factor(k) * discrete.obstacles.all[k].force;
+    const Eigen::Vector3d given = discrete.state.factors.force(k) * discrete.obstacles.all[k].force;
     const double error = std::abs(summary.obstacles.at(k).reaction.force.dot(given) / given.squaredNorm() - 1);
     if (!(error <= most)) most = error;
   }
@@ -179,9 +179,9 @@ std::vector<CertificateLimit> membership_rows(const problem::Problem& problem, c
   const double length = std::max(summary.least_thickness, summary.max_displacement);
   std::vector<CertificateLimit> rows{
       {"load_error", "1",
-       std::max({at_the_end.control ? 0 : std::abs(discrete.state.load_factor - at_the_end.load_factor),
-                 std::abs(discrete.state.support_factor - at_the_end.support_factor),
-                 std::abs(discrete.state.time - at_the_end.time)}),
+       std::max({at_the_end.control ? 0 : std::abs(discrete.state.factors.loads - at_the_end.factors.loads),
+                 std::abs(discrete.state.factors.supports - at_the_end.factors.supports),
+                 std::abs(discrete.state.factors.time - at_the_end.factors.time)}),
        0, false, "the solution is one of the end of the loading that the case describes"},
       {"space_error", "m", space_error(discrete, solution.y), algebraic_part * length, false,
        "nodal values are combinations of the nodes' coordinates: r is tangent, joined edges move together, the edges "

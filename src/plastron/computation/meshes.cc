@@ -48,7 +48,7 @@ bool Meshes::reach_accuracy(const problem::Instant& instant) {
   // Where an obstacle may have passed, finer meshes of a later instant do not help.
   if (!run_.problem.accuracy || are_ahead_ || (run_.path.is_broken && !is_first)) return true;
   Result& result = run_.result;
-  const auto is_to_come = [&](const problem::Instant& other) { return other.time > instant.time; };
+  const auto is_to_come = [&](const problem::Instant& other) { return other.factors.time > instant.factors.time; };
   const auto to_come = static_cast<int>(std::ranges::count_if(run_.instants, is_to_come));
   AccuracyLoop loop(run_.problem, run_.since_start, to_come);
   for (;;) {

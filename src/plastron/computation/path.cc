@@ -34,7 +34,8 @@ bool has_path_to_prove(const assembly::RigidObstacles& obstacles) {
 }
 
 certificate::Station station_of(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
-  certificate::Station station{.displacement = y, .time = discrete.state.time, .positions = discrete.positions()};
+  certificate::Station station{
+      .displacement = y, .time = discrete.state.factors.time, .positions = discrete.positions()};
   station.displacement.update_ghosts();
   return station;
 }
@@ -79,11 +80,11 @@ Passing proven_again(const assembly::DiscreteShell& discrete, const std::vector<
 double next_part(const assembly::DiscreteShell& discrete, const algebra::Vector& y, const problem::Instant& from,
                  const problem::Instant& to, double done) {
   constexpr double least = 0x1p-10;
-  if (from.time == to.time || !has_path_to_prove(discrete.obstacles)) return 1;
+  if (from.factors.time == to.factors.time || !has_path_to_prove(discrete.obstacles)) return 1;
   certificate::Station now = station_of(discrete, y), then = now;
-  now.time = problem::between(from, to, done).time;
+  now.time = problem::between(from, to, done).factors.time;
   for (double next = 1;; next = done + (next - done) / 2) {
-    then.time = problem::between(from, to, next).time;
+    then.time = problem::between(from, to, next).factors.time;
     if (next - done <= least || is_free(discrete, now, then)) return next;
   }
 }

@@ -120,8 +120,7 @@ struct Passing {
 /// The solution at the end of a step, or of a part of one.
 struct HistoryEntry {
   std::string step;  ///< name of the step
-  double time = 0;   ///< number of finished steps, including the part of this one
-  double load_factor = 1, support_factor = 1;
+  assembly::Factors factors{};
   std::optional<double> controlled_displacement{};  ///< that the loads follow [m]
   contact::Status status = contact::Status::solved;
   std::string missed_limits{};

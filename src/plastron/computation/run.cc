@@ -45,8 +45,8 @@ bool Run::is_time_over() const {
 bool Run::has_time_for(const problem::Instant& instant) {
   if (!is_time_over()) return true;
   missed_accuracy += fmt::format("{}max_seconds = {:g} was over before time {:g}", missed_accuracy.empty() ? "" : "; ",
-                                 problem.accuracy->max_seconds, instant.time);
-  if (at) missed_accuracy += fmt::format(", and the result is that of time {:g}", at->time);
+                                 problem.accuracy->max_seconds, instant.factors.time);
+  if (at) missed_accuracy += fmt::format(", and the result is that of time {:g}", at->factors.time);
   return false;
 }
 
@@ -71,15 +71,13 @@ LevelTask Run::task_after_first_level(int number) const {
 }
 
 assembly::State Run::state_at(const problem::Instant& instant) const {
-  assembly::State state{.time = instant.time,
-                        .load_factor = instant.load_factor,
-                        .support_factor = instant.support_factor,
-                        .force_factors = instant.force_factors};
+  assembly::State state{.factors = instant.factors};
   if (!instant.control) return state;
   const auto probe = std::ranges::find(before_step_, instant.control->probe, &ProbeValue::name);
   const double start = probe == before_step_.end() ? 0 : instant.control->direction.dot(probe->values.u);
   state.control = problem::control_of(problem, instant, start);
-  state.load_factor = result.solution && result.solution->discrete ? result.solution->discrete->state.load_factor : 0;
+  state.factors.loads =
+      result.solution && result.solution->discrete ? result.solution->discrete->state.factors.loads : 0;
   return state;
 }
 
@@ -94,7 +92,7 @@ assembly::State Run::state_at(const problem::Instant& instant, const Departure& 
   assembly::State start = state_at(instant);
   start.positions = departure.state.positions;
   start.displacement = departure.state.displacement;
-  if (start.control) start.load_factor = departure.state.load_factor;
+  if (start.control) start.factors.loads = departure.state.factors.loads;
   if (instant.overlap > 0 && depths_.layout()) {
     start.lifts = depths_;
     for (double& lift : start.lifts.local()) lift *= instant.overlap;
@@ -120,9 +118,10 @@ ContactTrend Run::expected_contact(const problem::Instant* later) {
   if (!later) return now;
   const std::optional<PreviousInstant> earlier = std::exchange(before, {});
   if (!at) return now;
-  before = PreviousInstant{at->time, now};
+  before = PreviousInstant{at->factors.time, now};
   if (!earlier || at->step != later->step || earlier->time < at->step) return now;
-  return continued(std::move(now), earlier->trend, (later->time - at->time) / (at->time - earlier->time));
+  return continued(std::move(now), earlier->trend,
+                   (later->factors.time - at->factors.time) / (at->factors.time - earlier->time));
 }
 
 void Run::rest_at(const problem::Instant& start, std::unique_ptr<assembly::DiscreteShell> discrete) {
@@ -254,15 +253,13 @@ void Run::record(const problem::Instant& instant) {
   judge_certificate(result);
   examine_stability(result, solution());
   latest_.has_jumped = std::exchange(has_jumped_, false);
-  if (wants_model_check(instant)) check_model(instant.time);
+  if (wants_model_check(instant)) check_model(instant.factors.time);
   recover();
   const assembly::State& state = solution().discrete->state;
   const std::string missed = std::exchange(missed_accuracy, {});
   const bool is_missed = result.status == contact::Status::solved && !missed.empty();
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
-                            .time = instant.time,
-                            .load_factor = state.load_factor,
-                            .support_factor = state.support_factor,
+                            .factors = state.factors,
                             .controlled_displacement = controlled_displacement(state),
                             .status = is_missed ? contact::Status::accuracy_not_reached : result.status,
                             .missed_limits = is_missed ? missed : result.missed_limits,
@@ -336,7 +333,7 @@ void Run::adopt_worst_status() {
   for (const HistoryEntry& entry : result.history)
     if (result.status == contact::Status::solved && entry.status != contact::Status::solved) {
       result.status = entry.status;
-      result.missed_limits = fmt::format("at time {:g}: {}", entry.time, entry.missed_limits);
+      result.missed_limits = fmt::format("at time {:g}: {}", entry.factors.time, entry.missed_limits);
     }
 }
 

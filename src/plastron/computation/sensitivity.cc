@@ -187,12 +187,8 @@ std::unique_ptr<assembly::DiscreteShell> Sensitivity::discretised(const problem:
   auto coarse = std::make_shared<mesh::CoarseMesh>(shell.surface().coarse());
   coarse->shifts.clear();
   coarse->shifts = meshing::shifts_of(changed, *coarse);
-  const problem::Instant last = problem::instants(changed).back();
   assembly::State state = solution_.discrete->state;
-  state.time = last.time;
-  state.load_factor = last.load_factor;
-  state.support_factor = last.support_factor;
-  state.force_factors = last.force_factors;
+  state.factors = problem::instants(changed).back().factors;
   auto discrete = assembly::discretise(shell.space_pointer(),
                                        std::make_shared<const fem::Surface>(std::move(coarse), changed.charts),
                                        changed.shell, std::move(state));

@@ -34,7 +34,7 @@ double largest_thickness(const assembly::DiscreteShell& discrete) {
 std::vector<std::size_t> unpressed_obstacles(const assembly::DiscreteShell& discrete) {
   std::vector<std::size_t> unpressed;
   for (std::size_t k = 0; k < discrete.obstacles_at_start.all.size(); ++k)
-    if (discrete.obstacles_at_start.all[k].is_pressed() && discrete.state.force_factor(k) == 0) unpressed.push_back(k);
+    if (discrete.obstacles_at_start.all[k].is_pressed() && discrete.state.factors.force(k) == 0) unpressed.push_back(k);
   return unpressed;
 }
 

@@ -65,7 +65,7 @@ Result measured_result(const problem::Problem& problem, Solution found) {
 
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
   const problem::Instant last = problem::instants(problem).back();
-  solution.state.force_factors = last.force_factors;
+  solution.state.factors.forces = last.factors.forces;
   solution.state.control = problem::control_of(problem, last, 0);
   Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem.shell, std::move(solution.state)),
                  .nodal = std::move(solution.nodal)};
@@ -88,9 +88,7 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
   if (!problem.steps.empty()) {
     const assembly::State& state = result.solution->discrete->state;
     result.history.push_back({.step = problem.steps.back().name,
-                              .time = last.time,
-                              .load_factor = state.load_factor,
-                              .support_factor = state.support_factor,
+                              .factors = state.factors,
                               .controlled_displacement = controlled_displacement(state),
                               .status = result.status,
                               .level = result.levels.back(),

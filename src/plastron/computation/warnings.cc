@@ -219,7 +219,7 @@ std::vector<std::string> jump_warnings(const problem::Problem& problem, const Re
   for (const HistoryEntry& instant : result.history)
     if (instant.level.has_jumped) {
       std::string& when = is_divided(instant) ? snaps : jumps;
-      when += fmt::format("{}{:g}", when.empty() ? " at time " : ", ", instant.time);
+      when += fmt::format("{}{:g}", when.empty() ? " at time " : ", ", instant.factors.time);
     }
   const bool is_single = result.history.empty();  // its first mesh goes the way from the start
   const bool has_snapped = is_single ? !result.levels.empty() && result.levels.front().has_jumped : !snaps.empty();
@@ -273,7 +273,7 @@ std::vector<std::string> stability_warnings(const Result& result) {
 
 std::vector<std::string> load_warnings(const problem::Problem& problem, const Result& result) {
   const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
-  if (result.summary.load_norms != 0 || result.solution->discrete->state.load_factor == 0 ||
+  if (result.summary.load_norms != 0 || result.solution->discrete->state.factors.loads == 0 ||
       std::ranges::any_of(problem.rigid_bodies, is_loaded))
     return {};
   std::string name;

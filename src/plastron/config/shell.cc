@@ -182,8 +182,8 @@ double largest_part_of_motions(const problem::Problem& problem) {
   double before = 0, most = 0;
   for (const problem::Step& step : problem.steps) {
     const double part = step.chooses_parts ? problem::Step::longest_chosen_part : 1.0 / step.parts;
-    most = std::max(most, part * std::abs(step.support_factor - before));
-    before = step.support_factor;
+    most = std::max(most, part * std::abs(step.factors.supports - before));
+    before = step.factors.supports;
   }
   return most;
 }
@@ -223,7 +223,7 @@ void check_rotations(Table& root, const problem::Problem& problem) {
           std::count_if(body.fixed.begin() + 3, body.fixed.end(), [](const auto& v) { return v.has_value(); });
       double largest_factor = problem.steps.empty() ? 1 : 0;
       for (const problem::Step& step : problem.steps)
-        largest_factor = std::max(largest_factor, std::abs(step.support_factor));
+        largest_factor = std::max(largest_factor, std::abs(step.factors.supports));
       if (given < 3 && largest_factor * body.prescribed_rotation().norm() >= 2 * std::numbers::pi)
         shell.report(
             "rotations",

@@ -49,7 +49,7 @@ void read_force(Table& table, const problem::Problem& problem, std::size_t k, pr
   if (!problem.shell.obstacles.all[k].is_pressed())
     table.report("force", fmt::format("no force presses the obstacle \"{}\"", problem.shell.obstacles.all[k].name), "",
                  "give the obstacle a force");
-  if (factor) step.force_factors[k] = *factor;
+  if (factor) step.factors.forces[k] = *factor;
 }
 
 void read_control(Table& table, const problem::Problem& problem, problem::Step& step) {
@@ -203,14 +203,14 @@ void check_control(Table& root, const problem::Problem& problem) {
 }
 
 void read_steps(Table& root, problem::Problem& problem) {
-  problem::Step step{.force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 1)};
+  problem::Step step{.factors = {.forces = std::vector<double>(problem.shell.obstacles.all.size(), 1)}};
   int parts = 0;
   root.in_tables("step", [&](Table& table) {
     step.name = read_step_name(table, problem);
-    if (table.has("loads")) step.load_factor = table.number("loads").value_or(1);
-    if (!table.has("control")) table.effective["loads"] = step.load_factor;
-    if (table.has("supports")) step.support_factor = table.number("supports").value_or(1);
-    table.effective["supports"] = step.support_factor;
+    if (table.has("loads")) step.factors.loads = table.number("loads").value_or(1);
+    if (!table.has("control")) table.effective["loads"] = step.factors.loads;
+    if (table.has("supports")) step.factors.supports = table.number("supports").value_or(1);
+    table.effective["supports"] = step.factors.supports;
     read_control(table, problem, step);
     step.chooses_parts = table.has("parts") && table.value("parts")->is_string();
     step.parts = 1;

@@ -50,7 +50,7 @@ Room least_room(const obstacle::Obstacle& one, const obstacle::Obstacle& other, 
 std::vector<double> times(const problem::Problem& problem, bool are_planes) {
   std::vector<double> all{0};
   for (const problem::Instant& instant : problem::instants(problem))
-    if (instant.time > all.back()) all.push_back(instant.time);
+    if (instant.factors.time > all.back()) all.push_back(instant.factors.time);
   if (!are_planes && all.size() > 2) all = {all.front(), all.back()};
   return all;
 }

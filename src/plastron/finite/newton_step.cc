@@ -241,7 +241,7 @@ assembly::State next_state(const assembly::DiscreteShell& discrete, const StepSt
   const auto pressed = assembly::pressed_obstacles(discrete);
   next.positions = discrete.positions();
   for (std::size_t j = 0; j < pressed.size(); ++j) next.positions[pressed[j]] += part * step.box.positions[j];
-  next.load_factor += part * step.load_change;
+  next.factors.loads += part * step.load_change;
   next.displacement = discrete.state.displacement;
   algebra::axpy(part, step.increment, next.displacement);
   next.displacement.update_ghosts();

@@ -88,7 +88,7 @@ constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& disc
   if (discrete.has_finite_rotations() && !pressure.empty() && pressure[cell].size() > 0)
     k.matrix +=
         on_both_sides(coordinates, coordinates.space->nodes(cell),
-                      discrete.state.load_factor * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
+                      discrete.state.factors.loads * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
             .matrix;
   return k;
 }
@@ -101,11 +101,11 @@ algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const
       [&](std::size_t c) { return discrete.geometry(c); });
   algebra::axpy(-1, discrete.load, forces);
   if (!discrete.has_finite_rotations())
-    algebra::axpy(discrete.state.load_factor, assembly::initial_forces(discrete.shell), forces);
+    algebra::axpy(discrete.state.factors.loads, assembly::initial_forces(discrete.shell), forces);
   algebra::axpy(-1, prestress.contact_forces, forces);
   algebra::Vector on_bodies(forces.layout(), 6);
   for (const fem::PlacedBody& placed : space.bodies) fem::add_body_load(space, placed, on_bodies);
-  algebra::axpy(discrete.state.load_factor, on_bodies, forces);
+  algebra::axpy(discrete.state.factors.loads, on_bodies, forces);
   return forces;
 }
 

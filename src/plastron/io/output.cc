@@ -82,7 +82,7 @@ Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm 
 
 void Output::add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution) {
   if (!can_be_drawn(solution, files_.comm())) return;
-  add_fields(solution, entry.time, fmt::format("-{:04}", ++instants_), true);
+  add_fields(solution, entry.factors.time, fmt::format("-{:04}", ++instants_), true);
   if (with_report_) frames_.add(entry, solution);
 }
 

@@ -390,17 +390,17 @@ std::span<const Quantity<computation::HistoryEntry>> history_quantities() {
   using computation::HistoryEntry;
   static const std::vector<Quantity<HistoryEntry>> all{
       {"time", "1", "number of completed steps, plus the completed part of the present one",
-       [](const HistoryEntry& h) { return number(h.time); }},
+       [](const HistoryEntry& h) { return number(h.factors.time); }},
       {"step", "-", "name of the step", [](const HistoryEntry& h) { return Json(h.step); }, Form::text},
       {"status", "-", "how this instant ended, in one word",
        [](const HistoryEntry& h) { return Json(contact::to_string(h.status)); }, Form::text},
-      {"load_factor", "1", "factor of all loads", [](const HistoryEntry& h) { return number(h.load_factor); }},
+      {"load_factor", "1", "factor of all loads", [](const HistoryEntry& h) { return number(h.factors.loads); }},
       {"controlled_displacement", "m", "displacement that the loads follow; null without control",
        [](const HistoryEntry& h) {
          return h.controlled_displacement ? number(*h.controlled_displacement) : Json(nullptr);
        }},
       {"support_factor", "1", "factor of the values of supports and rigid bodies",
-       [](const HistoryEntry& h) { return number(h.support_factor); }},
+       [](const HistoryEntry& h) { return number(h.factors.supports); }},
       {"energy", "J", "stored energy, 1/2 a(U, U); W(U) with finite rotations",
        [](const HistoryEntry& h) { return number(h.summary.energy.total()); }},
       {"load_work", "J", "work of the loads, l(U)", [](const HistoryEntry& h) { return number(h.summary.load_work); }},

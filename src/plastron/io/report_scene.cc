@@ -317,7 +317,7 @@ void SceneFrames::add(const computation::HistoryEntry& entry, const computation:
   SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(!discrete.obstacles.empty()));
   std::vector<obstacle::Placement> places;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) places.push_back(discrete.obstacles.now(k).placement);
-  frames_.push_back({entry.time, entry.step, std::move(surface.drawing), std::move(surface.fields),
+  frames_.push_back({entry.factors.time, entry.step, std::move(surface.drawing), std::move(surface.fields),
                      std::move(surface.rows), std::move(places)});
   if (std::ssize(frames_) * surface.points * 7 < most_values) return;
   every_ *= 2;
@@ -331,7 +331,7 @@ Json SceneFrames::json(const computation::Solution& last, std::span<const std::s
   Json list = Json::array();
   const assembly::DiscreteShell& discrete = *last.discrete;
   for (const Frame& frame : frames_) {
-    if (frame.rows.empty() || frame.time >= discrete.state.time) continue;
+    if (frame.rows.empty() || frame.time >= discrete.state.factors.time) continue;
     const auto rows = redrawn(frame.rows, frame.drawing, drawing);
     Json json{{"time", frame.time}, {"step", frame.step}, {"obstacles", Json::array()}};
     std::size_t row = 0;
@@ -378,7 +378,7 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
                 {"merged", 1 << surface.cells.merged_levels},
                 {"fields", fields_json(surface, units)},
                 {"obstacles", obstacles_json(obstacles, summary)},
-                {"time", discrete.state.time},
+                {"time", discrete.state.factors.time},
                 {"frames", frames.json(solution, drawn, surface.drawing)},
                 {"lines", lines_json(summary)},
                 {"supports", supports}};

@@ -47,9 +47,9 @@ SolutionHeader header_of(const computation::Solution& solution) {
           .has_lifts = static_cast<std::uint16_t>(state.is_admissible()),
           .cells = space.global_cells,
           .nodes = space.layout->global_size,
-          .time = state.time,
-          .load_factor = state.load_factor,
-          .support_factor = state.support_factor,
+          .time = state.factors.time,
+          .loads = state.factors.loads,
+          .supports = state.factors.supports,
           .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size()),
           .path_states = static_cast<std::int64_t>(solution.path.size())};
 }
@@ -190,8 +190,8 @@ class SolutionFile : public BinaryFile {
                           header_.has_lifts <= 1 && header_.is_deformed <= 1 && header_.cells >= 0 &&
                           header_.cut_numbers >= 0 && header_.cut_numbers <= most_cut_numbers &&
                           header_.path_states >= 0 && header_.path_states <= most_path_states &&
-                          std::isfinite(header_.time) && std::isfinite(header_.load_factor) &&
-                          std::isfinite(header_.support_factor);
+                          std::isfinite(header_.time) && std::isfinite(header_.loads) &&
+                          std::isfinite(header_.supports);
     if (!is_sound) refuse("the header contains impossible values");
   }
 
@@ -373,9 +373,8 @@ computation::StoredSolution read_solution(const std::filesystem::path& path,
   const auto reader = algebra::in_agreement<UnusableResults>(
       layout->comm, [&] { return std::make_unique<SolutionReader>(path, *space, shape); });
   computation::StoredSolution solution;
-  solution.state.time = reader->header().time;
-  solution.state.load_factor = reader->header().load_factor;
-  solution.state.support_factor = reader->header().support_factor;
+  const SolutionHeader& header = reader->header();
+  solution.state.factors = {.time = header.time, .loads = header.loads, .supports = header.supports};
   for (const auto& [position, way] : reader->obstacles()) {
     solution.state.positions.push_back(position);
     solution.ways.push_back(way);

@@ -69,8 +69,8 @@ void put_both_faces(Problem& problem, std::size_t k) {
   *place = std::move(both[0]);
   all.insert(place + 1, std::move(both[1]));
   for (Step& step : problem.steps)
-    if (!step.force_factors.empty())
-      step.force_factors.insert(step.force_factors.begin() + static_cast<std::ptrdiff_t>(k), step.force_factors[k]);
+    if (!step.factors.forces.empty())
+      step.factors.forces.insert(step.factors.forces.begin() + static_cast<std::ptrdiff_t>(k), step.factors.forces[k]);
   if (!problem.accuracy) return;
   std::vector<Accuracy::Goal> goals;
   for (const Accuracy::Goal& goal : problem.accuracy->goals) {

@@ -9,21 +9,23 @@ namespace {
 
 double between(double from, double to, double part) { return part == 1 ? to : from + part * (to - from); }
 
+assembly::Factors between(const assembly::Factors& from, const assembly::Factors& to, double part) {
+  assembly::Factors now{.time = between(from.time, to.time, part),
+                        .loads = between(from.loads, to.loads, part),
+                        .supports = between(from.supports, to.supports, part)};
+  for (std::size_t k = 0; k < std::max(from.forces.size(), to.forces.size()); ++k)
+    now.forces.push_back(between(from.force(k), to.force(k), part));
+  return now;
+}
+
 }  // namespace
 
 Instant between(const Instant& from, const Instant& to, double part) {
   Instant now{.step = to.step,
-              .time = between(from.time, to.time, part),
-              .load_factor = between(from.load_factor, to.load_factor, part),
-              .support_factor = between(from.support_factor, to.support_factor, part),
+              .factors = between(from.factors, to.factors, part),
               .control = to.control,
               .overlap = between(from.overlap, to.overlap, part)};
-  now.part = part == 1 ? to.part : now.time - to.step;
-  const auto factor = [](const Instant& instant, std::size_t k) {
-    return instant.force_factors.empty() ? 1 : instant.force_factors[k];
-  };
-  for (std::size_t k = 0; k < std::max(from.force_factors.size(), to.force_factors.size()); ++k)
-    now.force_factors.push_back(between(factor(from, k), factor(to, k), part));
+  now.part = part == 1 ? to.part : now.factors.time - to.step;
   return now;
 }
 
@@ -31,9 +33,7 @@ Instant between(const Instant& from, const Instant& to, double part) {
 constexpr double first_part = 0.125;
 
 Instant start(const Problem& problem) {
-  return {.load_factor = 0,
-          .support_factor = 0,
-          .force_factors = std::vector<double>(problem.shell.obstacles.all.size(), 0),
+  return {.factors = {.loads = 0, .supports = 0, .forces = std::vector<double>(problem.shell.obstacles.all.size(), 0)},
           .overlap = 1};
 }
 
@@ -48,16 +48,11 @@ std::vector<Instant> instants(const Problem& problem) {
     for (int j = 1; j <= step.parts; ++j) parts.push_back(static_cast<double>(j) / step.parts);
     for (const double part : parts) {
       Instant now{.step = static_cast<int>(s),
-                  .time = static_cast<double>(s) + part,
-                  .load_factor = between(before.load_factor, step.load_factor, part),
-                  .support_factor = between(before.support_factor, step.support_factor, part),
+                  .factors = between(before.factors, step.factors, part),
                   .control = step.control ? &*step.control : nullptr,
                   .part = part,
                   .chooses_parts = step.chooses_parts};
-      for (std::size_t k = 0; k < problem.shell.obstacles.all.size(); ++k) {
-        const double to = step.force_factors.empty() ? 1 : step.force_factors[k];
-        now.force_factors.push_back(between(before.force_factors[k], to, part));
-      }
+      now.factors.time = static_cast<double>(s) + part;
       all.push_back(std::move(now));
     }
     before = all.back();

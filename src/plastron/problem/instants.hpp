@@ -8,14 +8,11 @@
 namespace plastron::problem {
 
 struct Instant {
-  int step = 0;                         ///< counted from 0
-  double time = 0;                      ///< number of finished steps, including the part of this one
-  double load_factor = 1;               ///< factor of all loads
-  double support_factor = 1;            ///< factor of all prescribed components
-  const Control* control = nullptr;     ///< if given, the load factor follows from it
-  double part = 1;                      ///< completed part of the step
-  bool chooses_parts = false;           ///< the way to it from the instant before goes in parts that are chosen
-  std::vector<double> force_factors{};  ///< factors of the forces that press obstacles; empty: 1
+  int step = 0;  ///< counted from 0
+  assembly::Factors factors{};
+  const Control* control = nullptr;  ///< if given, the factor of the loads follows from it
+  double part = 1;                   ///< completed part of the step
+  bool chooses_parts = false;        ///< the way to it from the instant before goes in parts that are chosen
   /// Part of the depth of the undeformed shell in obstacles that is still left: they come in on the way from the start.
   double overlap = 0;
 };

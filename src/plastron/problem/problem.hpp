@@ -1,6 +1,7 @@
 // Plain values that define a computation: geometry, shell, supports, loads, obstacle, discretisation.
 #pragma once
 #include <plastron/assembly/description.hpp>
+#include <plastron/assembly/factors.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/domain/domain.hpp>
 #include <plastron/fem/constraints.hpp>
@@ -78,13 +79,11 @@ struct Control {
 /// at its end.
 struct Step {
   std::string name{};
-  double load_factor = 1;            ///< factor of all loads at the step's end
-  double support_factor = 1;         ///< factor of the prescribed components of supports and rigid bodies there
-  std::optional<Control> control{};  ///< if given, load_factor has no meaning
+  assembly::Factors factors{};       ///< at the step's end; the time has no meaning
+  std::optional<Control> control{};  ///< if given, the factor of the loads has no meaning
   int parts = 1;                     ///< number of equal parts; each is solved
   bool chooses_parts = false;        ///< parts are chosen by how the iteration goes (step_control.hpp)
   static constexpr double longest_chosen_part = 0.25;
-  std::vector<double> force_factors{};  ///< factor of each force on an obstacle, at the step's end; empty: 1
 };
 
 /// Points of Omega along which results are written as a table.

@@ -62,7 +62,7 @@ void set_law(const assembly::DiscreteShell& discrete, const assembly::CrossSecti
   if (const auto laminate = section.material.laminate())
     point.laminate = std::make_shared<shell::LaminateSection>(laminate, shell::orthonormal_frame(point.t1, point.t2),
                                                               point.thickness, section.material.shear_correction,
-                                                              discrete.state.load_factor);
+                                                              discrete.state.factors.loads);
 }
 
 Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,

@@ -183,7 +183,7 @@ double initial_energy(const assembly::DiscreteShell& discrete) {
       sum += initial->row(q).dot(p.section.strains_of(p.section.initial_resultants()).transpose()) / 2;
     }
   }
-  const double factor = discrete.state.load_factor;
+  const double factor = discrete.state.factors.loads;
   return factor * factor * algebra::sum_over_ranks(sum, shell.space().layout->comm);
 }
 

@@ -27,10 +27,10 @@ io::Provenance provenance_of(const config::Case& c, io::CaseSource source) {
 bool is_refused(contact::Status status) { return status == contact::Status::infeasible; }
 
 std::string refusal(const computation::Result& result) {
-  const std::string where =
-      result.history.empty()
-          ? ""
-          : fmt::format("in step \"{}\", at time {:g}: ", result.history.back().step, result.history.back().time);
+  const std::string where = result.history.empty()
+                                ? ""
+                                : fmt::format("in step \"{}\", at time {:g}: ", result.history.back().step,
+                                              result.history.back().factors.time);
   return where + computation::status_text(result);
 }
 
