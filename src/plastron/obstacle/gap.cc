@@ -110,7 +110,8 @@ double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vect
 //
 //   g = n . (X - E),
 //
-// X the node's face. n is the normal of the face into the shell, or the nearest direction in the cone of the edge's normals.
+// X the node's face. n is the normal of the face into the shell, or the nearest direction in the cone of the edge's normals. n turns
+// with the face, so that the reaction has the couple of a force at E.
 
 /// Returns the nearest point of the obstacle if it lies on a sharp edge or a corner.
 std::optional<Vector3d> foot_on_edge(const Obstacle& obstacle, const Vector3d& from) {
@@ -149,13 +150,16 @@ std::optional<FaceGap> edge_gap(const Obstacle& obstacle, const ShellPoint& at, 
   const Vector3d way = X - *edge, along = way.dot(inward) * inward - way;
   if (along.norm() > part_of_reach * reach[reach_direction(at.a3, along)]) return {};
   // Near the edge the distance has the normal that is the projection of the direction on the cone.
-  const auto normal_for = [&](const Vector3d& direction) {
-    return obstacle.nearest(*edge + small * widest * direction).normal;
-  };
-  const Vector3d n = normal_for(inward), n0 = at.is_turned ? n : normal_for(side * at.a3);
+  const auto near_edge = [&](const Vector3d& direction) { return obstacle.nearest(*edge + small * widest * direction); };
+  const Nearest turned = near_edge(inward);
+  const Vector3d &n = turned.normal, n0 = at.is_turned ? n : near_edge(side * at.a3).normal;
   if (!(n.dot(inward) > least_cosine)) return {};
-  const double distance = n0.dot(way) + (n - n0).dot(way - z * at.r);
-  return FaceGap{.distance = distance, .normal = n0, .clearance = distance, .roundness = 0};
+  const Vector3d unturned = way - z * at.r;
+  const double distance = n0.dot(way) + (n - n0).dot(unturned);
+  // dn = H small widest d(inward), and inward turns with a_3 + r.
+  const Vector3d by_inward = small * widest * turned.curvature * unturned;
+  const Vector3d beside = side / (at.a3 + at.r).norm() * (by_inward - by_inward.dot(inward) * inward);
+  return FaceGap{.distance = distance, .normal = n0, .clearance = distance, .roundness = 0, .beside = beside};
 }
 
 /// The gap of the face at height z. `in_middle` contains the obstacle's nearest values at the mid-surface, if known.
@@ -198,7 +202,13 @@ FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at, const Reach* re
 }
 
 Gap linearised(const FaceGap& gap, const ShellPoint& at) {
-  return {gap.distance - gap.normal.dot(at.u + gap.z * at.r), gap.normal, gap.z, at.phi + gap.z * at.a3};
+  Gap result{.initial = gap.distance,
+             .normal = gap.normal,
+             .z = gap.z,
+             .contact_point = at.phi + gap.z * at.a3,
+             .beside = gap.beside};
+  result.initial -= gap.normal.dot(at.u) + result.by_rotation().dot(at.r);
+  return result;
 }
 
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, const Reach* reach) {
