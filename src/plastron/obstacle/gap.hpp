@@ -33,7 +33,7 @@ struct Gap {
 };
 
 /// The part of the shell that a node represents: the distance of the nearest node in each direction of the plane across a_3, in
-/// parts of 45 degrees from a_3.unitOrthogonal(). 0 beyond an edge of the shell [m].
+/// parts of 45 degrees from the x axis, or the y axis where a_3 is along x. 0 beyond an edge of the shell [m].
 using Reach = std::array<double, 8>;
 /// Returns the index of a direction in a reach.
 std::size_t reach_direction(const Vector3d& a3, const Vector3d& way);
