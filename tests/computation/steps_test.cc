@@ -3,6 +3,12 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/problem/instants.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
 #include "computation/problems.hpp"
 
 namespace plastron::computation {
@@ -155,6 +161,34 @@ TEST(Steps, EndWhereOneIsNotSolved) {
   EXPECT_EQ(r.status, contact::Status::infeasible);
   EXPECT_EQ(r.history.size(), 3U);
   EXPECT_EQ(r.history[1].status, contact::Status::solved);
+}
+
+// A part could end on an equilibrium that is not stable, at which the shell bends to one side: the way goes on where the shell snaps to.
+TEST(ChosenParts, GoOnWhereAShallowArchSnapsTo) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 4; ++i) {
+    const double L = std::array{1.0, 1e-3, 1e3, 1.0}[static_cast<std::size_t>(i)];
+    const double modulus = std::uniform_real_distribution<double>(0.8, 2)(random);
+    problem::Problem p = with_chart(free_plate(), {"x", "y", fmt::format("{}*(1 - (2*x/{} - 1)^2)", 0.08 * L, L)}, {});
+    p.domain = domain::Rectangle{.to = {L, 0.2 * L}, .cells = {8, 1}};
+    p.shell.sections.common.thickness = Expression(0.02 * L);
+    p.shell.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
+    p.shell.rotations = element::Rotations::finite;
+    const auto end = [&](const std::string& name) {
+      return i % 2 == 0 ? held(name, {Direction::x, Direction::y, Direction::z}) : clamped(name);
+    };
+    p.shell.supports = {end("left"), end("right"), symmetry("bottom")};
+    p.shell.loads.on_areas = {force(0, 0, -1e-4)};
+    p.discretisation = {.degree = 3, .refinements = 0};
+    p.steps = {{.name = "load", .parts = 8}};
+    const Result given = solve(p, MPI_COMM_WORLD);
+    p.steps = {{.name = "load", .chooses_parts = true}};
+    const Result chosen = solve(p, MPI_COMM_WORLD);
+    ASSERT_EQ(given.status, contact::Status::solved) << modulus << " " << L;
+    ASSERT_EQ(chosen.status, contact::Status::solved) << modulus << " " << L;
+    EXPECT_TRUE(std::ranges::any_of(chosen.history, [](const HistoryEntry& entry) { return entry.level.has_jumped; }));
+    EXPECT_NEAR(chosen.summary.energy.total() / given.summary.energy.total(), 1, 1e-6) << modulus << " " << L;
+  }
 }
 
 }  // namespace

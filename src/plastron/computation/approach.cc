@@ -25,6 +25,7 @@ void tell_missed(Run& run, const problem::Instant& instant) {
 Attempt attempted_between(Run& run, const problem::Instant& instant, const Departure& departure, double part,
                           const Pace& pace) {
   LevelTask task = run.task(run.last_level());
+  task.leaves_unstable = !instant.control;
   auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
   LevelResult level = solve_level(task, std::move(discrete), run.observer);
   run.search_path(level);

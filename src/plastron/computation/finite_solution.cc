@@ -1,5 +1,7 @@
 #include <plastron/computation/finite_solution.hpp>
 
+#include <plastron/finite/modes.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -120,6 +122,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }
   run.has_lost_stiffness = run.has_lost_stiffness || lost_stiffness;
+  run.needed_shift = step.shift > 0;
   const double way = lost_stiffness ? largest_way(nodal.y, discrete.state.displacement) : 0;
   const double whole = solution::largest_displacement(discrete.state.displacement);
   run.has_jumped = run.has_jumped || (way > far_beyond * predicted && way > large_part * whole);
@@ -184,6 +187,40 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
   return start_with(0);
 }
 
+/// Moves the shell a little from an equilibrium along its softest motion, in the direction of the state before it (M36). Returns whether
+/// it has moved: the motion lowers the energy (collective).
+bool moved_off(assembly::DiscreteShell& discrete, const Found& found, const algebra::Vector& before) {
+  constexpr double part_of_thickness = 0.1;
+  const finite::ExaminedStability examined = finite::examine_stability(discrete, found.nodal);
+  if (!examined.motion.layout() || examined.stability.margin > 0) return false;
+  double thickness = std::numeric_limits<double>::infinity();
+  for (const assembly::NodalPoint& point : discrete.points) thickness = std::min(thickness, point.thickness);
+  algebra::Vector back = before;
+  algebra::axpy(-1, discrete.state.displacement, back);
+  const double size = part_of_thickness * algebra::min_over_ranks(thickness, discrete.space().layout->comm);
+  assembly::State next = discrete.state;
+  algebra::axpy(algebra::dot(back, examined.motion) < 0 ? -size : size, examined.motion, next.displacement);
+  next.displacement.update_ghosts();
+  linearise(discrete, std::move(next));
+  return true;
+}
+
+/// Leaves an equilibrium that is not stable, for the one to which the shell snaps; if that is not found, the shell stays (collective).
+Found left(LevelRun& run, Found found, const algebra::Vector& before) {
+  assembly::DiscreteShell& discrete = run.discrete();
+  const assembly::State unstable = discrete.state;
+  if (moved_off(discrete, found, before))
+    if (auto near = descended(run)) {
+      Found lower = newton_solution(run, std::move(*near));
+      if (lower.z.status == contact::Status::solved && !run.needed_shift) {
+        run.has_jumped = true;
+        return lower;
+      }
+    }
+  linearise(discrete, unstable);
+  return found;
+}
+
 }  // namespace
 
 Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
@@ -193,6 +230,8 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   finite::StepStart start{.prestress = finite::no_prestress(discrete)};
   if (zone) start.zone = *zone;
   Found found = newton_solution(run, std::move(start));
+  if (found.z.status == contact::Status::solved && run.needed_shift && run.leaves_unstable() && has_potential(discrete))
+    return left(run, std::move(found), before.displacement);
   if (found.z.status != contact::Status::no_equilibrium || !has_potential(discrete)) return found;
   linearise(discrete, before);
   auto near = supports_stand(discrete) ? descended(run) : std::nullopt;

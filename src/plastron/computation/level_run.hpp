@@ -35,6 +35,7 @@ class LevelRun {
   Seconds seconds;
   int factorisations = 0, linearisations = 0;
   bool has_jumped = false, has_lost_stiffness = false, is_control_blind = false;  ///< see Level
+  bool needed_shift = false;  ///< the last Newton step needed a shift: the equilibrium is not stable
   std::vector<contact::Iteration> history{};
 
   /// Solves the contact problem of the present linearisation, starting from the expected zone; null if there is none.
@@ -58,6 +59,7 @@ class LevelRun {
 
   /// Whether only values of goals are needed, to a small part of their errors.
   bool is_for_values() const { return !task_.valued.empty(); }
+  bool leaves_unstable() const { return task_.leaves_unstable; }
   bool is_stopped() const { return wants_to_stop(observer_, discrete_->space().layout->comm); }
   void tell(std::string_view phase) const;
   assembly::DiscreteShell& discrete() { return *discrete_; }

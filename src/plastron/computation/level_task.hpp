@@ -15,6 +15,7 @@ struct LevelTask {
   contact::Settings settings{};
   problem::Linearisation linearisation{};
   bool admissible = false;                ///< see Problem
+  bool leaves_unstable = false;           ///< an equilibrium that is not stable is left along its softest motion
   std::optional<algebra::Vector> zone{};  ///< expected contact zone (contact_forecast.hpp); empty at first
   /// Goals whose errors are estimated, together with the solution's error.
   std::optional<std::vector<estimation::Goal>> goals{};

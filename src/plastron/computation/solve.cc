@@ -20,6 +20,7 @@ Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, con
                   const Pace& pace) {
   Stopwatch watch;
   LevelTask task = run.task_after_first_level(run.problem.discretisation.refinements);
+  task.leaves_unstable = !instant.control;
   const bool is_judged = run.problem.accuracy || &instant == &run.instants.back();
   if (is_judged && !instant.control) task.goals = run.goals();
   auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
