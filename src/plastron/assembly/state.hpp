@@ -28,7 +28,7 @@ struct Control {
 struct State {
   /// (u, r) of local nodes, six values for each node, with current ghosts. Without a layout the shell is undeformed.
   algebra::Vector displacement{};
-  Factors factors{};
+  Factors factors = Factors();
   std::optional<Control> control{};  ///< with finite rotations
   std::vector<double> positions{};   ///< positions of pressed obstacles along their forces; empty: 0 [m]
   /// Lower limits of the gaps at local nodes in place of 0, by obstacle, with current ghosts [m]. They keep the shell
