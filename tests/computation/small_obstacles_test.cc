@@ -405,10 +405,8 @@ TEST(SharpTips, ComeToRestWithFiniteRotations) {
     const double L = std::array{1.0, 1e-3, 1e3}[static_cast<std::size_t>(i % 3)];
     const double x = between(0.3, 0.7), y = between(0.1, 0.3);
     const obstacle::Box box{.centre = {x * L, y * L, -0.016 * L}, .size = {0.01 * L, 0.01 * L, 0.01 * L}};
-    const obstacle::Cone cone{.apex = {x * L, y * L, -0.011 * L},
-                              .axis = {0, 0, -1},
-                              .half_angle = between(0.3, 1.1),
-                              .height = 0.1 * L};
+    const obstacle::Cone cone{
+        .apex = {x * L, y * L, -0.011 * L}, .axis = {0, 0, -1}, .half_angle = between(0.3, 1.1), .height = 0.1 * L};
     const Result r =
         solve(plate_on(i % 2 == 0 ? obstacle::Shape(box) : obstacle::Shape(cone), 2 + i % 3, i % 2, L), MPI_COMM_WORLD);
     // A box that no node sees is inaccurate.

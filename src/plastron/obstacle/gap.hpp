@@ -18,11 +18,11 @@ inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
 /// g(u, r) = initial + n . (u + arm r) + beside . r. The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold it
 /// is 0: all faces move with u alone. A face that lies on a sharp edge beside its node turns about the node: the reaction acts at the edge.
 struct Gap {
-  double initial;          ///< gap of the undeformed shell [m]
-  Vector3d normal;         ///< n = grad d at the touching face
-  double z;                ///< height of the touching face above the mid-surface [m]
-  Vector3d contact_point;  ///< phi + z a_3
-  double arm = z;          ///< z, or 0 at a fold [m]
+  double initial;                      ///< gap of the undeformed shell [m]
+  Vector3d normal;                     ///< n = grad d at the touching face
+  double z;                            ///< height of the touching face above the mid-surface [m]
+  Vector3d contact_point;              ///< phi + z a_3
+  double arm = z;                      ///< z, or 0 at a fold [m]
   Vector3d beside = Vector3d::Zero();  ///< change of g by the turn of a face on an edge beside its node; else 0 [m]
 
   /// Change of g by r [m].

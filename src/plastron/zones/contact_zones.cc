@@ -35,7 +35,8 @@ void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution:
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
     if (!discrete.space().continuity.constrains(i) && faces.touching.local()[i * block + obstacle] != 0)
       visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][deciding(i)],
-                         discrete.touching_place(obstacle, i), discrete.place(i).a3, faces.pressure.local()[i * block + obstacle]});
+                         discrete.touching_place(obstacle, i), discrete.place(i).a3,
+                         faces.pressure.local()[i * block + obstacle]});
 }
 
 using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
