@@ -6,6 +6,7 @@
 # The runs of a verification test on SLOW_RANKS ranks (3) and more have the label slow.
 # With the sanitizers, which show what each process does with its memory, one rank is enough, but up to SANITIZED_RANKS for code that exchanges data.
 # With SANITIZED_RANKS 0 a test is not part of the sanitized build: it takes a minute there, and other tests run the same code.
+# Tests of FOLDER_long_test have the COST 1: they start first, and short tests fill both cores at the end.
 #
 # All quick tests of a folder FOLDER are one program, FOLDER_test, all others FOLDER_long_test (tests/test_main.cc has the choice of files): half of
 # the compiler's time for one file goes into what all files of a folder include, and a batch of files spares it.
@@ -94,16 +95,18 @@ function(plastron_test name)
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   if(ARG_LABEL STREQUAL quick)
     set(program ${folder}_test)
+    set(cost 0)
     add_dependencies(quick_tests ${program})
   else()
     set(program ${folder}_long_test)
+    set(cost 1)
   endif()
   plastron_test_program(${program} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} EXTERNAL ${ARG_EXTERNAL} SEPARATE ${ARG_SEPARATE})
   list(JOIN ARG_SOURCES "," files)
   plastron_mpi_environment(${name})
   if(NOT ARG_RANKS)
     add_test(NAME ${name} COMMAND ${program} --files=${files})
-    set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
+    set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} COST ${cost} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
   endif()
   foreach(ranks IN LISTS ARG_RANKS)
     if(PLASTRON_SANITIZE AND ranks GREATER ARG_SANITIZED_RANKS)
@@ -116,7 +119,7 @@ function(plastron_test name)
       set(label verification)
     endif()
     add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}> --files=${files})
-    set_tests_properties(${name}.ranks=${ranks} PROPERTIES LABELS ${label} TIMEOUT ${ARG_TIMEOUT}
+    set_tests_properties(${name}.ranks=${ranks} PROPERTIES LABELS ${label} COST ${cost} TIMEOUT ${ARG_TIMEOUT}
                          PROCESSORS ${ranks} ENVIRONMENT "${environment}" RESOURCE_LOCK ${session})
   endforeach()
 endfunction()
