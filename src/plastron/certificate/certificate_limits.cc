@@ -30,7 +30,8 @@ constexpr double passing_depth = 0.25;
 constexpr double sideways_part = 1e-2;
 
 const char* missed_reason(const solution::ObstacleContact& obstacle) {
-  return obstacle.nodes == 0 ? "a hundredth of the thickness where no node touches the obstacle: deeper, the nodes "
+  return obstacle.nodes == 0 ? "a hundredth of the thickness, or a twentieth of the largest displacement, where no "
+                               "node touches the obstacle: deeper, the nodes "
                                "have missed the contact; refine the mesh there, ask for an accuracy in place of the "
                                "mesh, or allow it more unknowns"
                              : "a quarter of the thickness between nodes: deeper, the obstacle passes through the "

@@ -79,10 +79,10 @@ struct Control {
 /// at its end.
 struct Step {
   std::string name{};
-  assembly::Factors factors = assembly::Factors();       ///< at the step's end; the time has no meaning
-  std::optional<Control> control{};  ///< if given, the factor of the loads has no meaning
-  int parts = 1;                     ///< number of equal parts; each is solved
-  bool chooses_parts = false;        ///< parts are chosen by how the iteration goes (step_control.hpp)
+  assembly::Factors factors = assembly::Factors();  ///< at the step's end; the time has no meaning
+  std::optional<Control> control{};                 ///< if given, the factor of the loads has no meaning
+  int parts = 1;                                    ///< number of equal parts; each is solved
+  bool chooses_parts = false;                       ///< parts are chosen by how the iteration goes (step_control.hpp)
   static constexpr double longest_chosen_part = 0.25;
 };
 
