@@ -32,7 +32,7 @@ std::vector<Vector3d> orthogonal_part(const std::vector<Vector3d>& free, const V
 }
 
 double change_of(const obstacle::Gap& gap, const ContactColumn& column) {
-  return gap.normal.dot(column.u) + gap.by_rotation().dot(column.r);
+  return gap.normal.dot(column.u + gap.arm * column.r);
 }
 
 Vector3d projection(const std::vector<Vector3d>& onto, const Vector3d& v) {
@@ -52,12 +52,12 @@ std::optional<std::vector<ContactColumn>> around_one_gap(const obstacle::Gap& ga
     const Vector3d unit_w = p / p.squaredNorm();  // n . unit_w = 1
     columns.push_back({unit_w, zero});
     for (const Vector3d& d : orthogonal_part(u, p)) columns.push_back({d, zero});
-    for (const Vector3d& d : r) columns.push_back({-gap.by_rotation().dot(d) * unit_w, d});
+    for (const Vector3d& d : r) columns.push_back({-gap.arm * gap.normal.dot(d) * unit_w, d});
     return columns;
   }
-  const Vector3d q = projection(r, gap.by_rotation());
-  if (!(q.norm() > negligible * std::abs(gap.arm))) return {};
-  columns.push_back({zero, q / q.squaredNorm()});
+  const Vector3d q = projection(r, gap.normal);
+  if (gap.arm == 0 || !(q.norm() > negligible)) return {};
+  columns.push_back({zero, q / (gap.arm * q.squaredNorm())});
   for (const Vector3d& d : u) columns.push_back({d, zero});
   for (const Vector3d& d : orthogonal_part(r, q)) columns.push_back({zero, d});
   return columns;
@@ -70,13 +70,13 @@ struct GapRows {
         r(free_r),
         all(static_cast<Index>(gaps.size()), static_cast<Index>(u.size() + r.size())),
         arms(all.rows()) {
-    for (const obstacle::Gap& gap : gaps) lever = std::max(lever, gap.by_rotation().norm());
+    for (const obstacle::Gap& gap : gaps) lever = std::max(lever, std::abs(gap.arm));
     if (lever == 0) lever = 1;  // no gap depends on r: the rows are zero there
     for (std::size_t i = 0; i < gaps.size(); ++i) {
       const auto row = static_cast<Index>(i);
       for (std::size_t k = 0; k < u.size(); ++k) all(row, static_cast<Index>(k)) = gaps[i].normal.dot(u[k]);
       for (std::size_t k = 0; k < r.size(); ++k)
-        all(row, static_cast<Index>(u.size() + k)) = gaps[i].by_rotation().dot(r[k]) / lever;
+        all(row, static_cast<Index>(u.size() + k)) = gaps[i].arm / lever * gaps[i].normal.dot(r[k]);
       arms[row] = gaps[i].arm;
     }
   }

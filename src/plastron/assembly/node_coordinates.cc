@@ -92,7 +92,8 @@ void prescribe(const Split& u, const Split& r, const std::vector<ContactColumn>&
 double gap_of_prescribed(const obstacle::Gap& gap, const Split& u, const Split& r) {
   double value = gap.initial;
   for (std::size_t k = 0; k < u.prescribed.size(); ++k) value += gap.normal.dot(u.prescribed[k]) * u.values[k];
-  for (std::size_t k = 0; k < r.prescribed.size(); ++k) value += gap.by_rotation().dot(r.prescribed[k]) * r.values[k];
+  for (std::size_t k = 0; k < r.prescribed.size(); ++k)
+    value += gap.arm * gap.normal.dot(r.prescribed[k]) * r.values[k];
   return value;
 }
 

@@ -32,7 +32,7 @@ double opening(const assembly::DiscreteShell& discrete, const obstacle::Gap& gap
                const Eigen::Vector3d& a3) {
   const Eigen::Vector3d r = row.template tail<3>();
   return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) +
-         gap.by_rotation().dot(discrete.has_finite_rotations() ? r : geometry::tangential(r, a3));
+         gap.arm * gap.normal.dot(discrete.has_finite_rotations() ? r : geometry::tangential(r, a3));
 }
 
 /// Lifts of bounds at points of a cell, interpolated from the nodes on which the cell depends.
@@ -186,8 +186,7 @@ std::vector<Eigen::Vector2d> ContactEdge::sharp_edges(std::size_t cell, std::siz
 }
 
 // Beyond a sharp edge the distance is that to another side of the body, and no gap. The node's own gap keeps the edge outside of its
-// tangent plane, wherever it is, and its reaction has the couple of a force at the edge (obstacle/gap.cc). What remains of eta (B z - w)
-// at the edge is the distance of the fields there from their tangent planes at the node.
+// tangent plane, wherever it is (obstacle/gap.cc). But its reaction acts at the node: eta (B z - w) at the edge remains.
 void ContactEdge::find_sharp_edges() {
   const assembly::DiscreteShell& discrete = solved_.discrete;
   const fem::Space& space = discrete.space();
@@ -223,8 +222,6 @@ double ContactEdge::reach_at(const AtSharpEdge& at, const Dual& dual) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
   const std::size_t cell = crossed_[at.crossed];
   const obstacle::Gap& gap = discrete.coordinates.gaps[at.obstacle][at.node];
-  obstacle::Gap at_edge = gap;
-  at_edge.beside.setZero();
   const element::BasisAt points = element::basis_at(discrete.space().shape(), discrete.space().degree, at.edges);
   std::vector<geometry::Frame> frames(at.edges.size());
   discrete.shell.surface().frames(discrete.space().cells[cell], at.edges, frames, false);
@@ -234,7 +231,7 @@ double ContactEdge::reach_at(const AtSharpEdge& at, const Dual& dual) const {
         discrete.shell.interpolation().values(cell, points, discrete.shell.gather(cell, y));
     const assembly::Vector6 own = assembly::node_values(y, at.node);
     for (std::size_t p = 0; p < moved.size(); ++p)
-      moved[p] += opening(discrete, at_edge, field.row(static_cast<Eigen::Index>(p)), frames[p].a3) -
+      moved[p] += opening(discrete, gap, field.row(static_cast<Eigen::Index>(p)), frames[p].a3) -
                   opening(discrete, gap, own.transpose(), discrete.points[at.node].a3);
   };
   add(dual.y);

@@ -144,8 +144,8 @@ Derivative derivative_of(const SupportForce& force, const Solved& solved) {
       for (const assembly::ContactRow& row : coordinates.rows_of(i)) {
         if (!is_active(row, solved)) continue;
         const obstacle::Gap& gap = coordinates.gaps[static_cast<std::size_t>(row.obstacle)][i];
-        const Vector3d turned = geometry::tangential(gap.by_rotation(), solved.discrete.place(i).a3);
-        const double shared = direction.head<3>().dot(gap.normal) + direction.tail<3>().dot(turned);
+        const Vector3d turned = geometry::tangential(gap.normal, solved.discrete.place(i).a3);
+        const double shared = direction.head<3>().dot(gap.normal) + gap.arm * direction.tail<3>().dot(turned);
         all.push_back({coordinates.at(i, row.coordinate), -shared / row.scale * d});
       }
     }

@@ -73,7 +73,7 @@ Matrix6 RigidMotions::at(const assembly::NodalPoint& point) const {
 
 RigidMotion RigidMotions::gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const {
   RigidMotion row;
-  row << gap.normal, gap.by_rotation() / size_;
+  row << gap.normal, gap.arm / size_ * gap.normal;
   return at(point).transpose() * row;
 }
 

@@ -110,8 +110,7 @@ double entered_face(const Obstacle& obstacle, const Vector3d& middle, const Vect
 //
 //   g = n . (X - E),
 //
-// X the node's face. n is the normal of the face into the shell, or the nearest direction in the cone of the edge's normals. n turns
-// with the face, so that the reaction has the couple of a force at E.
+// X the node's face. n is the normal of the face into the shell, or the nearest direction in the cone of the edge's normals.
 
 /// Returns the nearest point of the obstacle if it lies on a sharp edge or a corner.
 std::optional<Vector3d> foot_on_edge(const Obstacle& obstacle, const Vector3d& from) {
@@ -121,57 +120,42 @@ std::optional<Vector3d> foot_on_edge(const Obstacle& obstacle, const Vector3d& f
   return from - nearest.distance * nearest.normal;
 }
 
-/// The edge is sought from above the face, where no side of the body is nearer than its edge, and then where the tangent plane falls: from
-/// a side to its edge, from there to its corner. The least gap counts, so that it does not jump when the face turns.
+/// Returns an edge near the face, seen from above it. Seen from there, no side of the body is nearer than its edge.
+std::optional<Vector3d> edge_below(const Obstacle& obstacle, const Vector3d& above, const Vector3d& inward,
+                                   const Vector3d& a3, const Reach& reach) {
+  constexpr double parallel = 1e-12;
+  if (auto edge = foot_on_edge(obstacle, above)) return edge;
+  // The tangent plane approaches the body most in this direction.
+  const Vector3d normal = obstacle.nearest(above).normal, way = normal.dot(inward) * inward - normal;
+  if (!(way.norm() > parallel)) return {};
+  return foot_on_edge(obstacle, above + reach[reach_direction(a3, way)] * way.normalized());
+}
+
 /// With small rotations the force acts along the normal n_0 for the undeformed face, as loads act in undeformed places. The turn
 /// of the tangent plane changes the gap by (n - n_0) . (X_0 - E), X_0 the face without its rotation.
 std::optional<FaceGap> edge_gap(const Obstacle& obstacle, const ShellPoint& at, double z, const Reach& reach) {
   // More than one half, so that the nodes leave no edge out. Less than 1: an edge at the next node is left to it.
   constexpr double part_of_reach = 0.75;
-  constexpr double small = 1e-3, least_cosine = 0.5, parallel = 1e-9;
-  constexpr int most_steps = 3;
+  constexpr double small = 1e-3, least_cosine = 0.5;
   const double widest = *std::ranges::max_element(reach), side = z < 0 ? 1 : -1;
   const Vector3d inward = side * (at.a3 + at.r).normalized(), X = at.phi + at.u + z * (at.a3 + at.r);
   const Vector3d above = X + widest * inward;
-  const double height = small * widest;
-  // Near the edge the distance has the normal that is the projection of the direction on the cone.
-  const auto near_edge = [&](const Vector3d& edge, const Vector3d& direction) {
-    return obstacle.nearest(edge + height * direction);
-  };
   const Nearest seen = obstacle.nearest(above);
   // A face that lies on a side: at the side's edge the distance at X has the normal of either side.
   if ((seen.normal - inward).norm() < 1e-12)
     return FaceGap{.distance = seen.distance - widest, .normal = seen.normal, .clearance = seen.distance - widest};
-  const auto gap_on = [&](const Vector3d& edge, const Nearest& turned) -> std::optional<FaceGap> {
-    const Vector3d way = X - edge, along = way.dot(inward) * inward - way;
-    if (along.norm() > part_of_reach * reach[reach_direction(at.a3, along)]) return {};
-    const Vector3d &n = turned.normal, n0 = at.is_turned ? n : near_edge(edge, side * at.a3).normal;
-    if (!(n.dot(inward) > least_cosine)) return {};
-    const Vector3d unturned = way - z * at.r;
-    const double distance = n0.dot(way) + (n - n0).dot(unturned);
-    // dn = H height d(inward), and inward turns with a_3 + r.
-    const Vector3d by_inward = height * turned.curvature * unturned;
-    const Vector3d beside = side / (at.a3 + at.r).norm() * (by_inward - by_inward.dot(inward) * inward);
-    return FaceGap{.distance = distance, .normal = n0, .clearance = distance, .roundness = 0, .beside = beside};
+  const auto edge = edge_below(obstacle, above, inward, at.a3, reach);
+  if (!edge) return {};
+  const Vector3d way = X - *edge, along = way.dot(inward) * inward - way;
+  if (along.norm() > part_of_reach * reach[reach_direction(at.a3, along)]) return {};
+  // Near the edge the distance has the normal that is the projection of the direction on the cone.
+  const auto normal_for = [&](const Vector3d& direction) {
+    return obstacle.nearest(*edge + small * widest * direction).normal;
   };
-  std::optional<FaceGap> least;
-  Vector3d from = above, normal = seen.normal;
-  for (int step = 0; step < most_steps; ++step) {
-    const auto edge = foot_on_edge(obstacle, from);
-    if (!edge && step > 0) break;
-    if (edge) {
-      const Nearest turned = near_edge(*edge, inward);
-      const auto gap = gap_on(*edge, turned);
-      if (gap && (!least || gap->distance < least->distance)) least = gap;
-      normal = turned.normal;
-      from = *edge + widest * inward;
-    }
-    // The tangent plane approaches the body most in this direction.
-    const Vector3d way = normal.dot(inward) * inward - normal;
-    if (!(way.norm() > parallel)) break;
-    from += reach[reach_direction(at.a3, way)] * way.normalized();
-  }
-  return least;
+  const Vector3d n = normal_for(inward), n0 = at.is_turned ? n : normal_for(side * at.a3);
+  if (!(n.dot(inward) > least_cosine)) return {};
+  const double distance = n0.dot(way) + (n - n0).dot(way - z * at.r);
+  return FaceGap{.distance = distance, .normal = n0, .clearance = distance, .roundness = 0};
 }
 
 /// The gap of the face at height z. `in_middle` contains the obstacle's nearest values at the mid-surface, if known.
@@ -214,13 +198,7 @@ FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at, const Reach* re
 }
 
 Gap linearised(const FaceGap& gap, const ShellPoint& at) {
-  Gap result{.initial = gap.distance,
-             .normal = gap.normal,
-             .z = gap.z,
-             .contact_point = at.phi + gap.z * at.a3,
-             .beside = gap.beside};
-  result.initial -= gap.normal.dot(at.u) + result.by_rotation().dot(at.r);
-  return result;
+  return {gap.distance - gap.normal.dot(at.u + gap.z * at.r), gap.normal, gap.z, at.phi + gap.z * at.a3};
 }
 
 double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, const Reach* reach) {
@@ -231,10 +209,7 @@ double true_gap(const Obstacle& obstacle, const Gap& gap, const ShellPoint& at, 
 }  // namespace
 
 std::size_t reach_direction(const Vector3d& a3, const Vector3d& way) {
-  // Small turns of the shell must not turn the parts: Eigen's unitOrthogonal() follows the tilt of a plate.
-  constexpr double along_axis = 0.8;
-  const Vector3d axis = std::abs(a3[0]) < along_axis ? Vector3d::UnitX() : Vector3d::UnitY();
-  const Vector3d first = (axis - axis.dot(a3) / a3.squaredNorm() * a3).normalized();
+  const Vector3d first = a3.unitOrthogonal();
   const double turns = std::atan2(way.dot(a3.cross(first)), way.dot(first)) / (2 * std::numbers::pi);
   return static_cast<std::size_t>(std::lround((turns + 1) * 8)) % 8;
 }

@@ -15,25 +15,20 @@ inline double face_position(Face face, const Vector3d& n, const Vector3d& a3) {
   return face == Face::lower ? -0.5 : 0.5;
 }
 
-/// g(u, r) = initial + n . (u + arm r) + beside . r. The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold it
-/// is 0: all faces move with u alone. A face that lies on a sharp edge beside its node turns about the node: the reaction acts at the edge.
+/// g(u, r) = initial + n . (u + arm r). The arm is z = -e/2 (lower face) or +e/2 (upper face). At a fold it
+/// is 0: all faces move with u alone.
 struct Gap {
-  double initial;                      ///< gap of the undeformed shell [m]
-  Vector3d normal;                     ///< n = grad d at the touching face
-  double z;                            ///< height of the touching face above the mid-surface [m]
-  Vector3d contact_point;              ///< phi + z a_3
-  double arm = z;                      ///< z, or 0 at a fold [m]
-  Vector3d beside = Vector3d::Zero();  ///< change of g by the turn of a face on an edge beside its node; else 0 [m]
+  double initial;          ///< gap of the undeformed shell [m]
+  Vector3d normal;         ///< n = grad d at the touching face
+  double z;                ///< height of the touching face above the mid-surface [m]
+  Vector3d contact_point;  ///< phi + z a_3
+  double arm = z;          ///< z, or 0 at a fold [m]
 
-  /// Change of g by r [m].
-  Vector3d by_rotation() const { return arm * normal + beside; }
-  double operator()(const Vector3d& u, const Vector3d& r) const {
-    return initial + normal.dot(u) + by_rotation().dot(r);
-  }
+  double operator()(const Vector3d& u, const Vector3d& r) const { return initial + normal.dot(u + arm * r); }
 };
 
 /// The part of the shell that a node represents: the distance of the nearest node in each direction of the plane across a_3, in
-/// parts of 45 degrees from the x axis, or the y axis where a_3 is along x. 0 beyond an edge of the shell [m].
+/// parts of 45 degrees from a_3.unitOrthogonal(). 0 beyond an edge of the shell [m].
 using Reach = std::array<double, 8>;
 /// Returns the index of a direction in a reach.
 std::size_t reach_direction(const Vector3d& a3, const Vector3d& way);
@@ -58,7 +53,6 @@ struct FaceGap {
   double clearance = 0;
   /// Radius of the sharpest rounding at the obstacle's nearest point, at most 0 at an edge or a corner [m].
   double roundness = std::numeric_limits<double>::infinity();
-  Vector3d beside = Vector3d::Zero();  ///< as in Gap [m]
 };
 FaceGap face_gap(const Obstacle& obstacle, const ShellPoint& at);
 /// Prepares the obstacle for face_gap() and gap_at() at many points.

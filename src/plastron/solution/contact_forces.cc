@@ -40,7 +40,7 @@ assembly::Vector6 contact_force(const assembly::DiscreteShell& discrete, const N
   const assembly::NodalPoint& point = discrete.place(row.node);
   const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
   assembly::Vector6 gap_row;  // it contains only the tangential part of r (D4)
-  gap_row << gap.normal, geometry::tangential(gap.by_rotation(), point.a3);
+  gap_row << gap.normal, gap.arm * geometry::tangential(gap.normal, point.a3);
   return solution.pressure.at(row.node)[k] * point.weight * gap_row;
 }
 

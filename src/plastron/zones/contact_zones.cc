@@ -19,7 +19,6 @@ struct TouchingNode {
   const assembly::NodalPoint& point;
   const obstacle::Gap& gap;  ///< on a fold that of the deciding node, whose normal its force has
   Vector3d place;            ///< on the undeformed face
-  const Vector3d& director;  ///< in the state of the linearisation
   double pressure;
 };
 
@@ -35,8 +34,7 @@ void for_touching_nodes(const assembly::DiscreteShell& discrete, const solution:
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
     if (!discrete.space().continuity.constrains(i) && faces.touching.local()[i * block + obstacle] != 0)
       visit(TouchingNode{labels.of_node[i], discrete.points[i], discrete.coordinates.gaps[obstacle][deciding(i)],
-                         discrete.touching_place(obstacle, i), discrete.place(i).a3,
-                         faces.pressure.local()[i * block + obstacle]});
+                         discrete.touching_place(obstacle, i), faces.pressure.local()[i * block + obstacle]});
 }
 
 using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment, carried, carried x, weight x, peak
@@ -69,7 +67,7 @@ std::vector<solution::ContactZone> zone_totals(const assembly::DiscreteShell& di
     s[0] += weight;
     s[1] += 1;
     s.segment<3>(2) += force * n.gap.normal;
-    s.segment<3>(5) += force * (n.gap.contact_point.cross(n.gap.normal) + n.director.cross(n.gap.beside));
+    s.segment<3>(5) += force * n.gap.contact_point.cross(n.gap.normal);
     s[8] += force;
     s.segment<3>(9) += force * n.place;
     s.segment<3>(12) += weight * n.place;
