@@ -8,7 +8,7 @@
 import random
 
 from cases import Case
-from features import FEATURES, IN_SPACE, PLANE, forbidding
+from features import FEATURES, IN_SPACE, PLANE, RELAXED, forbidding
 
 PLANAR = {"order 1", "order 2", "order 3", "order 4", "inp", "plane mesh", "rectangle"}
 
@@ -95,7 +95,9 @@ def half_and_whole(row, rng):
 def other_material(row, rng):
     if row["material"] not in ("isotropic", "lame"):
         return None
-    return {"material": "isotropic" if row["material"] == "lame" else "lame"} if rng.random() < 0.5 else {"layers": True}
+    # The penalty takes the modulus of the material and not that of its layers.
+    same_law = rng.random() < 0.5 or row["formulation"] in RELAXED
+    return {"material": "isotropic" if row["material"] == "lame" else "lame"} if same_law else {"layers": True}
 
 
 def one_degree_more(row, rng):
@@ -134,7 +136,7 @@ ORACLES = [
     Oracle("cells", "estimated", other("cells", when=lambda row: row["source"] != "facets" and row["degree"] == 2)),
     Oracle("formulation", "estimated", other("formulation", when=lambda row: row["degree"] >= 2)),
     Oracle("chart or mesh", "estimated", other_surface),
-    Oracle("small load", "limit", set_to(lambda row: row["model"] == "finite" and given(row) and row["control"] == "none" and row["load"] != "follower"
+    Oracle("small load", "limit", set_to(lambda row: row["model"] == "finite" and given(row) and row["control"] == "none" and row["load"] != "follower" and row["admissible"] == "no"
                                          and row["modes"] == "none", model="small", size="tiny")),
 ]
 BY_NAME = {oracle.name: oracle for oracle in ORACLES}
