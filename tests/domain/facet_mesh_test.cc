@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <random>
 
@@ -226,9 +226,9 @@ TEST(FacetMesh, OfADamagedFileIsMadeOrRefusedInNoTime) {
   ASSERT_TRUE(is_mesh(cube()));
   for (int i = 0; i < mutants; ++i) {
     const std::string mutant = mutate(cube());
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     ++(is_mesh(mutant) ? made : refused);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10)) << mutant;
+    EXPECT_LT(std::clock() - begin, 20 * CLOCKS_PER_SEC) << mutant;
   }
   EXPECT_GT(made, 0);  // most changes open the cube
   EXPECT_GT(refused, 30);
@@ -257,9 +257,9 @@ TEST(FacetMesh, OfDamagedTrianglesIsMadeOrRefusedInNoTime) {
         if (below(40) == 0) continue;
         text += quadrilateral(x[first], x[first + 1], x[first + columns + 2], x[first + columns + 1]);
       }
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     made += is_mesh(text + "endsolid\n") ? 1 : 0;
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10)) << text;
+    EXPECT_LT(std::clock() - begin, 20 * CLOCKS_PER_SEC) << text;
   }
   EXPECT_GT(made, 30);
 }
