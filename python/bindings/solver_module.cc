@@ -271,9 +271,7 @@ PYBIND11_MODULE(_solver, module) {
            })
       .def(
           "fields",
-          [](const Solved& solved, double scale) {
-            return raising_interruptions([&] { return solved.fields(scale); });
-          },
+          [](const Solved& solved, double scale) { return raising_interruptions([&] { return solved.fields(scale); }); },
           py::arg("scale"))
       .def(
           "values_at",

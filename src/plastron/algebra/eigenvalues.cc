@@ -114,7 +114,7 @@ class Solver {
     const PetscErrorCode code = EPSSolve(eps_);
     for (const Adapter* adapter : {&T_, &B_})
       if (adapter->failure) std::rethrow_exception(adapter->failure);
-    // To rounding, some vector has no length: no result.
+    // The inner product of some vector with itself is not positive, up to rounding.
     if (code == PETSC_ERR_USER_INPUT) return {};
     petsc_check(code, "computing eigenvalues");
     return result(std::min(count, basis));
