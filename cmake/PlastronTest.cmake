@@ -1,9 +1,10 @@
-# plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ... QUICK_RANKS 1|2
-#               SLOW_RANKS 2|3 SANITIZED_RANKS 0|1|2 SEPARATE files that are compiled by themselves)
+# plastron_test(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets LABEL quick|verification|slow RANKS 1 2 ... QUICK_RANKS 1|2 ON_RANKS names
+#               SLOW_RANKS 2|3 SANITIZED_RANKS 0|1|2 SEPARATE files that are compiled by themselves OBJECTS libraries of plastron_test_objects)
 #
 # A test of CTest: the tests of some files, of GoogleTest. With RANKS it runs under mpirun once for every count, and the count is in its name.
 # The runs on up to QUICK_RANKS ranks (2) of a quick test are quick, those on more are verification: on two cores they take many times as long.
-# The runs of a verification test on SLOW_RANKS ranks (3) and more have the label slow.
+# The runs of a verification test on SLOW_RANKS ranks (3) and more have the label slow. With ON_RANKS a:b:c the tests of these names (a filter of
+# GoogleTest) run on several ranks, and all of them there with the label slow: what one rank computes as well is not looked for again.
 # With the sanitizers, which show what each process does with its memory, one rank is enough, but up to SANITIZED_RANKS for code that exchanges data.
 # With SANITIZED_RANKS 0 a test is not part of the sanitized build: it takes a minute there, and other tests run the same code.
 # Tests of FOLDER_long_test have the COST 1: they start first, and short tests fill both cores at the end.
@@ -46,19 +47,37 @@ function(plastron_run_test test program ranks)
                        RESOURCE_LOCK ${session} FAIL_REGULAR_EXPRESSION ".")
 endfunction()
 
+# Compiles a target's files as those of tests.
+function(plastron_as_test target)
+  target_link_libraries(${target} PRIVATE plastron_warnings plastron_test_names plastron_test_main)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${target} PRIVATE PLASTRON_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests" PLASTRON_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                             PLASTRON_BUILD_VERSION="${PROJECT_VERSION}")
+  target_compile_options(${target} PRIVATE ${test_options})
+  plastron_use_precompiled(${target} plastron_precompiled_tests)
+endfunction()
+
+# plastron_test_objects(NAME SOURCES ... DEPENDS plastron folders EXTERNAL targets): tests that several programs run, compiled once.
+function(plastron_test_objects name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;EXTERNAL" ${ARGN})
+  add_library(${name} OBJECT ${ARG_SOURCES})
+  plastron_as_test(${name})
+  list(TRANSFORM ARG_DEPENDS PREPEND plastron_)
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} ${ARG_EXTERNAL})
+  plastron_unity(${name})
+endfunction()
+
 # Adds files and libraries to the program of a folder's tests.
 function(plastron_test_program program)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;EXTERNAL;SEPARATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;EXTERNAL;SEPARATE;OBJECTS" ${ARGN})
   if(NOT TARGET ${program})
     add_executable(${program})
-    target_link_libraries(${program} PRIVATE plastron_warnings plastron_test_names plastron_test_main)
-    target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    target_compile_definitions(${program} PRIVATE PLASTRON_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests" PLASTRON_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                               PLASTRON_BUILD_VERSION="${PROJECT_VERSION}")
-    target_compile_options(${program} PRIVATE ${test_options})
-    plastron_use_precompiled(${program} plastron_precompiled_tests)
+    plastron_as_test(${program})
     add_dependencies(all_tests ${program})
   endif()
+  foreach(objects IN LISTS ARG_OBJECTS)
+    target_sources(${program} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  endforeach()
   get_target_property(known ${program} SOURCES)
   foreach(source IN LISTS ARG_SOURCES)
     if(NOT source IN_LIST known)
@@ -72,8 +91,14 @@ function(plastron_test_program program)
   target_link_libraries(${program} PRIVATE ${ARG_EXTERNAL})
 endfunction()
 
+# Sets what a run of plastron_test() on `ranks` ranks needs.
+macro(plastron_run_on_ranks run label)
+  set_tests_properties(${run} PROPERTIES LABELS ${label} COST ${cost} TIMEOUT ${ARG_TIMEOUT} PROCESSORS ${ranks} ENVIRONMENT "${environment}"
+                       RESOURCE_LOCK ${session})
+endmacro()
+
 function(plastron_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS;SLOW_RANKS;SANITIZED_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;QUICK_RANKS;SLOW_RANKS;SANITIZED_RANKS;ON_RANKS" "SOURCES;DEPENDS;EXTERNAL;RANKS;SEPARATE;OBJECTS" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL quick)
   endif()
@@ -101,7 +126,12 @@ function(plastron_test name)
     set(program ${folder}_long_test)
     set(cost 1)
   endif()
-  plastron_test_program(${program} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} EXTERNAL ${ARG_EXTERNAL} SEPARATE ${ARG_SEPARATE})
+  plastron_test_program(${program} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} EXTERNAL ${ARG_EXTERNAL} SEPARATE ${ARG_SEPARATE}
+                        OBJECTS ${ARG_OBJECTS})
+  foreach(objects IN LISTS ARG_OBJECTS)
+    get_target_property(sources ${objects} SOURCES)
+    list(APPEND ARG_SOURCES ${sources})
+  endforeach()
   list(JOIN ARG_SOURCES "," files)
   plastron_mpi_environment(${name})
   if(NOT ARG_RANKS)
@@ -118,8 +148,15 @@ function(plastron_test name)
     elseif(ranks GREATER ARG_QUICK_RANKS)
       set(label verification)
     endif()
-    add_test(NAME ${name}.ranks=${ranks} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}> --files=${files})
-    set_tests_properties(${name}.ranks=${ranks} PROPERTIES LABELS ${label} COST ${cost} TIMEOUT ${ARG_TIMEOUT}
-                         PROCESSORS ${ranks} ENVIRONMENT "${environment}" RESOURCE_LOCK ${session})
+    set(run ${name}.ranks=${ranks})
+    set(launch COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}>)
+    if(ARG_ON_RANKS AND ranks GREATER 1)
+      add_test(NAME ${run} ${launch} --gtest_filter=${ARG_ON_RANKS})
+      plastron_run_on_ranks(${run} ${label})
+      set(run ${run}.all)
+      set(label slow)
+    endif()
+    add_test(NAME ${run} ${launch} --files=${files})
+    plastron_run_on_ranks(${run} ${label})
   endforeach()
 endfunction()
