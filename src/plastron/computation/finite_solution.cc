@@ -149,6 +149,25 @@ bool has_potential(const assembly::DiscreteShell& discrete) {
          discrete.shell.sections().most_layers() == 0 && assembly::pressed_obstacles(discrete).empty();
 }
 
+/// Goes on from the state of the shell in the direction from `before`, twice as far each time, while that lowers the potential: a shell
+/// that snaps moves far, and where it begins to, Newton steps are short (collective).
+void lengthen(assembly::DiscreteShell& discrete, const assembly::State& before, double weight) {
+  constexpr int most_doublings = 8;
+  algebra::Vector direction = discrete.state.displacement;
+  algebra::axpy(-1, before.displacement, direction);
+  double lowest = finite::potential(discrete, weight), factor = 1;
+  for (int i = 0; i < most_doublings; ++i, factor *= 2) {
+    const assembly::State nearer = discrete.state;
+    assembly::State further = nearer;
+    algebra::axpy(factor, direction, further.displacement);
+    further.displacement.update_ghosts();
+    linearise(discrete, std::move(further));
+    const double potential = finite::potential(discrete, weight);
+    if (!(potential < lowest)) return linearise(discrete, nearer);
+    lowest = potential;
+  }
+}
+
 /// Descends from the state of the shell towards a local minimum of the potential: Newton steps with the stresses of the state and
 /// a stiffness to which a multiple of the diagonal is added until they lower it. Returns the start of the steps that finish;
 /// empty if the shell has not descended. Needed where it snaps away from an obstacle.
@@ -173,11 +192,12 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
     const double merit = finite::potential(discrete, weight);
     linearise(discrete, finite::next_state(discrete, start, step));
     if (finite::potential(discrete, weight) < merit) {
+      lengthen(discrete, before, weight);
       has_descended = true;
       zone = std::move(step.next.zone);
       shift = step.shift / 4 < least_shift ? 0 : step.shift / 4;
       const double whole = solution::largest_displacement(discrete.state.displacement);
-      if (shift == 0 && step.largest_displacement < near * whole) break;
+      if (step.shift == 0 && step.largest_displacement < near * whole) break;
     } else {
       linearise(discrete, before);
       shift = std::max(first_shift, 4 * step.shift);
@@ -187,37 +207,62 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
   return start_with(0);
 }
 
-/// Moves the shell a little from an equilibrium along its softest motion, in the direction of the state before it (M36). Returns whether
-/// it has moved: the motion lowers the energy (collective).
-bool moved_off(assembly::DiscreteShell& discrete, const Found& found, const algebra::Vector& before) {
-  constexpr double part_of_thickness = 0.1;
-  const finite::ExaminedStability examined = finite::examine_stability(discrete, found.nodal);
-  if (!examined.motion.layout() || examined.stability.margin > 0) return false;
+/// A motion along which a shell leaves its equilibrium, and how far it moves at first, as a part of the thickness.
+struct Escape {
+  algebra::Vector motion{};
+  double size = 0;
+  bool is_stable = false;  // idle contact holds the shell, unless `size` suffices to lower the potential
+};
+
+/// Returns the softest motion, towards the state before (M36), where that lowers the energy; else the one that idle contact alone keeps
+/// from lowering it, away from the obstacle. Without layout if there is none (collective).
+Escape escape_from(const assembly::DiscreteShell& discrete, const Found& found, const algebra::Vector& before) {
+  constexpr double snap = 0.1, disturbance = 0.01;
+  finite::ExaminedStability examined = finite::examine_stability(discrete, found.nodal);
+  if (examined.motion.layout() && !(examined.stability.margin > 0)) {
+    algebra::Vector back = before;
+    algebra::axpy(-1, discrete.state.displacement, back);
+    const double size = algebra::dot(back, examined.motion) < 0 ? -snap : snap;
+    return {.motion = std::move(examined.motion), .size = size};
+  }
+  if (examined.stability.has_idle_contact())
+    return {.motion = std::move(examined.away), .size = disturbance, .is_stable = true};
+  return {};
+}
+
+/// Moves the shell from its equilibrium, further and further while that lowers the potential. Returns whether it escapes (collective).
+bool has_escaped(assembly::DiscreteShell& discrete, const Escape& escape) {
+  const assembly::State equilibrium = discrete.state;
+  const double energy = finite::potential(discrete, 0);
   double thickness = std::numeric_limits<double>::infinity();
   for (const assembly::NodalPoint& point : discrete.points) thickness = std::min(thickness, point.thickness);
-  algebra::Vector back = before;
-  algebra::axpy(-1, discrete.state.displacement, back);
-  const double size = part_of_thickness * algebra::min_over_ranks(thickness, discrete.space().layout->comm);
-  assembly::State next = discrete.state;
-  algebra::axpy(algebra::dot(back, examined.motion) < 0 ? -size : size, examined.motion, next.displacement);
+  assembly::State next = equilibrium;
+  algebra::axpy(escape.size * algebra::min_over_ranks(thickness, discrete.space().layout->comm), escape.motion,
+                next.displacement);
   next.displacement.update_ghosts();
   linearise(discrete, std::move(next));
+  if (escape.is_stable && !(finite::potential(discrete, 0) < energy)) return false;
+  lengthen(discrete, equilibrium, 0);
   return true;
 }
 
-/// Leaves an equilibrium that is not stable, for the one to which the shell snaps; if that is not found, the shell stays (collective).
+/// Leaves an equilibrium that is not stable, or that idle contact alone holds, for the one of lower energy to which the shell snaps; if
+/// that is not found, the shell stays (collective).
 Found left(LevelRun& run, Found found, const algebra::Vector& before) {
   assembly::DiscreteShell& discrete = run.discrete();
-  const assembly::State unstable = discrete.state;
-  if (moved_off(discrete, found, before))
+  const Escape escape = escape_from(discrete, found, before);
+  if (!escape.motion.layout()) return found;
+  const assembly::State equilibrium = discrete.state;
+  const double energy = finite::potential(discrete, 0);
+  if (has_escaped(discrete, escape))
     if (auto near = descended(run)) {
       Found lower = newton_solution(run, std::move(*near));
-      if (lower.z.status == contact::Status::solved && !run.needed_shift) {
+      if (lower.z.status == contact::Status::solved && !run.needed_shift && finite::potential(discrete, 0) < energy) {
         run.has_jumped = true;
         return lower;
       }
     }
-  linearise(discrete, unstable);
+  linearise(discrete, equilibrium);
   return found;
 }
 
@@ -230,7 +275,8 @@ Found solved_finite(LevelRun& run, const algebra::Vector* zone) {
   finite::StepStart start{.prestress = finite::no_prestress(discrete)};
   if (zone) start.zone = *zone;
   Found found = newton_solution(run, std::move(start));
-  if (found.z.status == contact::Status::solved && run.needed_shift && run.leaves_unstable() && has_potential(discrete))
+  if (found.z.status == contact::Status::solved && run.leaves_unstable() && has_potential(discrete) &&
+      (run.needed_shift || finite::has_idle_contact(discrete, found.nodal)))
     return left(run, std::move(found), before.displacement);
   if (found.z.status != contact::Status::no_equilibrium || !has_potential(discrete)) return found;
   linearise(discrete, before);

@@ -115,27 +115,55 @@ std::optional<algebra::Eigenpairs> largest_destabilisations(const algebra::Matri
                              algebra::End::largest, settings);
 }
 
-/// Releases the coordinates of nodes whose eta is below weak_part of its obstacle's largest. Returns their number (collective).
-std::int64_t release_weak_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
-                                  std::vector<char>& fixed) {
+/// Touching nodes whose eta is below weak_part of its obstacle's largest.
+struct WeakContact {
+  std::vector<const assembly::ContactRow*> rows{};  // of owned nodes
+  Stability parts{};                                // their number, force and area over all ranks
+};
+
+WeakContact weak_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const MPI_Comm comm = discrete.space().layout->comm;
+  const auto pressure = [&](const assembly::ContactRow& row) {
+    return solution.pressure.at(row.node)[static_cast<std::size_t>(row.obstacle)];
+  };
   std::vector<double> largest(coordinates.gaps.size(), 0);
   for (const assembly::ContactRow& row : coordinates.rows) {
-    const auto k = static_cast<std::size_t>(row.obstacle);
-    largest[k] = std::max(largest[k], solution.pressure.at(row.node)[k]);
+    double& most = largest[static_cast<std::size_t>(row.obstacle)];
+    most = std::max(most, pressure(row));
   }
-  for (double& pressure : largest) pressure = algebra::max_over_ranks(pressure, comm);
-  std::int64_t weak = 0;
+  for (double& most : largest) most = algebra::max_over_ranks(most, comm);
+  WeakContact weak;
+  Eigen::Vector2d of_weak(0, 0), of_all(0, 0);  // force, area
   for (const assembly::ContactRow& row : coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    if (!row.binds || solution.touching.at(row.node)[k] == 0 ||
-        solution.pressure.at(row.node)[k] > Stability::weak_part * largest[k])
-      continue;
-    fixed[coordinates.at(row.node, row.coordinate)] = 0;
-    ++weak;
+    if (!row.binds || solution.touching.at(row.node)[k] == 0) continue;
+    const Eigen::Vector2d own = discrete.points[row.node].weight * Eigen::Vector2d(std::abs(pressure(row)), 1);
+    of_all += own;
+    if (pressure(row) > Stability::weak_part * largest[k]) continue;
+    of_weak += own;
+    weak.rows.push_back(&row);
   }
-  return algebra::sum_over_ranks(weak, comm);
+  const auto part = [&](int i) {
+    const double all = algebra::sum_over_ranks(of_all[i], comm), of_them = algebra::sum_over_ranks(of_weak[i], comm);
+    return all > 0 ? of_them / all : 0;
+  };
+  weak.parts.weak_nodes = algebra::sum_over_ranks(static_cast<std::int64_t>(weak.rows.size()), comm);
+  weak.parts.weak_force = part(0);
+  weak.parts.weak_area = part(1);
+  return weak;
+}
+
+/// Turns a motion so that it opens the gaps of these nodes (collective).
+void turn_away(const assembly::DiscreteShell& discrete, const WeakContact& weak, Vector& motion) {
+  double opening = 0;
+  for (const assembly::ContactRow* row : weak.rows) {
+    const obstacle::Gap& gap = discrete.coordinates.gaps[static_cast<std::size_t>(row->obstacle)][row->node];
+    opening += discrete.points[row->node].weight *
+               gap.normal.dot(Eigen::Map<const Eigen::Vector3d>(motion.at(row->node).data()));
+  }
+  if (algebra::sum_over_ranks(opening, motion.layout()->comm) < 0)
+    for (double& value : motion.local()) value = -value;
 }
 
 /// Returns v' K v for a motion v, as a part of the same sum with the absolute values of the diagonal of K alone.
@@ -232,6 +260,10 @@ double margin_of(const std::optional<algebra::Eigenpairs>& pairs) {
 
 }  // namespace
 
+bool has_idle_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  return weak_contact(discrete, solution).parts.has_idle_contact();
+}
+
 ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   SmallMotions motions = small_motions(discrete, solution);
   SoftestMotion softest(discrete, solution, motions.coordinates);
@@ -244,8 +276,19 @@ ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, con
   const auto held = softest(motions.fixed);
   stability.margin = stability.margin_without_weak_contact = margin_of(held);
   if (stability.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);
-  stability.weak_nodes = release_weak_contact(discrete, solution, motions.fixed);
-  if (stability.weak_nodes > 0) stability.margin_without_weak_contact = margin_of(softest(motions.fixed));
+  const WeakContact weak = weak_contact(discrete, solution);
+  stability.weak_nodes = weak.parts.weak_nodes;
+  stability.weak_force = weak.parts.weak_force;
+  stability.weak_area = weak.parts.weak_area;
+  if (stability.weak_nodes == 0) return result;
+  for (const assembly::ContactRow* row : weak.rows)
+    motions.fixed[discrete.coordinates.at(row->node, row->coordinate)] = 0;
+  const auto released = softest(motions.fixed);
+  stability.margin_without_weak_contact = margin_of(released);
+  if (stability.margin_without_weak_contact <= 0) {
+    result.away = shape_of(motions.coordinates, released->vectors[0]);
+    turn_away(discrete, weak, result.away);
+  }
   return result;
 }
 
