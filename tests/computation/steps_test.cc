@@ -195,7 +195,12 @@ TEST(ChosenParts, GoOnWhereAShallowArchSnapsTo) {
     problem::Problem p = with_chart(free_plate(), {"x", "y", fmt::format("{}*(1 - (2*x/{} - 1)^2)", 0.08 * L, L)}, {});
     p.domain = domain::Rectangle{.to = {L, 0.2 * L}, .cells = {8, 1}};
     p.shell.sections.common.thickness = Expression(0.02 * L);
-    p.shell.sections.common.material = shell::Material::from_young_poisson(modulus, 0.3, 1);
+    const shell::Layer layer{.material = shell::Orthotropic::isotropic(modulus, 0.3)};
+    p.shell.sections.common.material = i == 3
+                                           ? shell::Material{std::make_shared<const shell::Laminate>(
+                                                                 std::vector{layer, layer}, Eigen::Vector3d(1, 0, 0)),
+                                                             1}
+                                           : shell::Material::from_young_poisson(modulus, 0.3, 1);
     p.shell.rotations = element::Rotations::finite;
     const auto end = [&](const std::string& name) {
       return i % 2 == 0 ? held(name, {Direction::x, Direction::y, Direction::z}) : clamped(name);

@@ -661,5 +661,27 @@ TEST(Examination, tells_that_a_pipe_can_roll_and_a_cradle_cannot) {
   EXPECT_THAT(warnings(tube_on_floor(1)), testing::Not(testing::Contains(HasSubstr("can roll"))));
 }
 
+// The forces of initial strains turn with the shell. They were taken for loads, which keep their directions.
+TEST(Examination, does_not_take_initial_strains_for_loads_that_let_a_plate_roll) {
+  for (const double strain : {-1e-3, 1e-3, 0.1}) {
+    problem::Problem p = with_chart(cantilever_plate(), {"x", "y", "0"}, {});
+    const auto material = shell::Orthotropic::isotropic(7e4, 0.3);
+    p.shell.sections.common.thickness = Expression(0.02);
+    p.shell.sections.common.material.law = std::make_shared<const shell::Laminate>(
+        std::vector{shell::Layer{.material = material, .strain = {strain, strain, 0}},
+                    shell::Layer{.material = material}},
+        Eigen::Vector3d(1, 0, 0));
+    p.shell.supports = {{.components = {fixed(assembly::Unknown::displacement, assembly::Direction::x),
+                                        fixed(assembly::Unknown::displacement, assembly::Direction::y)},
+                         .point = Eigen::Vector2d(0, 0)},
+                        {.components = {fixed(assembly::Unknown::displacement, assembly::Direction::y)},
+                         .point = Eigen::Vector2d(1, 0)}};
+    p.shell.loads.on_areas = {force(0, 0, -2e-5)};
+    p.shell.obstacles.all = {{.name = "table", .shape = obstacle::HalfSpace{.point = {0, 0, -0.01}}}};
+    EXPECT_THAT(errors(p), IsEmpty()) << strain;
+    EXPECT_THAT(warnings(p), testing::Not(testing::Contains(HasSubstr("can roll")))) << strain;
+  }
+}
+
 }  // namespace
 }  // namespace plastron::examination

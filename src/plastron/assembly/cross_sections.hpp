@@ -28,6 +28,8 @@ struct CrossSections {
       if (section.density > 0) return true;
     return common.density > 0;
   }
+  /// Whether some layer has initial strains.
+  bool have_initial_strains() const;
   /// Returns the largest number of layers of a laminate; 0 without laminates.
   int most_layers() const;
   /// Returns the material of the smallest E. With it, measures of the whole shell are conservative.

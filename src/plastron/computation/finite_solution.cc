@@ -146,7 +146,7 @@ bool supports_stand(const assembly::DiscreteShell& discrete) {
 /// Whether loads have a potential that finite::potential() computes.
 bool has_potential(const assembly::DiscreteShell& discrete) {
   return discrete.follower_pressure.empty() && discrete.space().bodies.empty() && !discrete.state.control &&
-         discrete.shell.sections().most_layers() == 0 && assembly::pressed_obstacles(discrete).empty();
+         !discrete.shell.sections().have_initial_strains() && assembly::pressed_obstacles(discrete).empty();
 }
 
 /// Goes on from the state of the shell in the direction from `before`, twice as far each time, while that lowers the potential: a shell

@@ -403,7 +403,8 @@ std::vector<std::string> probe_warnings(const Result& result) {
 
 std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports) {
   const solution::Summary& s = result.summary;
-  if (s.point_reactions.empty() || s.is_unstrained) return {};
+  const bool is_solved = result.status == contact::Status::solved || result.status == contact::Status::inaccurate;
+  if (!is_solved || s.point_reactions.empty() || s.is_unstrained) return {};
   const auto most = std::ranges::max_element(
       s.point_reactions, {}, [](const solution::PointReaction& reaction) { return reaction.force.norm(); });
   const double force = most->force.norm();

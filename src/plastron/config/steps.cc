@@ -77,15 +77,9 @@ void read_control(Table& table, const problem::Problem& problem, problem::Step& 
 /// Whether the case has loads. Initial strains of layers are loads.
 bool has_loads(const problem::Problem& problem) {
   const assembly::Loads& loads = problem.shell.loads;
-  const assembly::CrossSections& sections = problem.shell.sections;
-  const auto is_layered = [](const assembly::CrossSection& section) {
-    return section.material.laminate() && section.material.laminate()->has_initial_strains();
-  };
   const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
   return !loads.on_areas.empty() || !loads.on_edges.empty() || !loads.gravity.isZero(0) ||
-         is_layered(sections.common) ||
-         std::ranges::any_of(sections.regions, [&](const auto& region) { return is_layered(region.second); }) ||
-         std::ranges::any_of(problem.rigid_bodies, is_loaded);
+         problem.shell.sections.have_initial_strains() || std::ranges::any_of(problem.rigid_bodies, is_loaded);
 }
 
 void read_moves(Table& table, const std::vector<std::string>& known, problem::Problem& problem, problem::Step& step) {

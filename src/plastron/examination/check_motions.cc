@@ -22,13 +22,17 @@ algebra::Vector load_of(const Examined& examined) {
   const problem::Problem& problem = examined.problem;
   constexpr bool tying = false, is_covariant = false;  // the work on rigid motions, which are Cartesian fields
   const assembly::ShellOperator shell(examined.space, examined.surface, problem.shell.sections, tying, is_covariant);
-  return assembly::load_vector(shell, problem.shell.loads);
+  // Forces of initial strains turn with the shell: they do no work on rigid motions.
+  algebra::Vector load = assembly::load_vector(shell, problem.shell.loads);
+  algebra::axpy(-1, assembly::initial_forces(shell), load);
+  return load;
 }
 
 /// Whether natural frequencies are asked of an unloaded shell without obstacles. It is at rest, whatever holds it.
 bool vibrates_at_rest(const Examined& examined, const algebra::Vector& load) {
   const problem::Problem& problem = examined.problem;
-  return problem.modes.vibration > 0 && problem.shell.obstacles.empty() && algebra::max_abs(load) == 0;
+  return problem.modes.vibration > 0 && problem.shell.obstacles.empty() && algebra::max_abs(load) == 0 &&
+         !problem.shell.sections.have_initial_strains();
 }
 
 std::string hold_text(const Pressing& pressing, const RigidMotions& motions) {

@@ -62,12 +62,13 @@ void check_pair(Examined& examined, const ExaminedNodes& nodes, std::size_t firs
   for (const double time : times(problem, are_planes)) {
     const Room least = least_room(one.standing(time), other.standing(time), nodes);
     if (least.missing == 0) continue;
-    examined.add(are_planes ? Severity::error : Severity::warning,
-                 "{} and {} leave {:.4g} m free between them at {}{}, and the shell is {:.4g} m thick there; move them "
-                 "apart, or make the shell thinner",
-                 obstacle_text(problem, first), obstacle_text(problem, second), std::max(least.room, 0.0),
-                 examined.place(nodes.points[least.node].x),
-                 problem.steps.empty() ? "" : fmt::format(", time {:.4g}", time), nodes.points[least.node].thickness);
+    examined.add(
+        are_planes ? Severity::error : Severity::warning,
+        "{} and {} leave {:.4g} m free between them at {}{}, and the shell is {:.4g} m thick there, {:.2g} m more; "
+        "move them apart, or make the shell thinner",
+        obstacle_text(problem, first), obstacle_text(problem, second), std::max(least.room, 0.0),
+        examined.place(nodes.points[least.node].x), problem.steps.empty() ? "" : fmt::format(", time {:.4g}", time),
+        nodes.points[least.node].thickness, least.missing);
     return;
   }
 }
