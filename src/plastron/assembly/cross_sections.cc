@@ -28,14 +28,6 @@ const shell::Material& CrossSections::softest() const {
   return softest->material;
 }
 
-bool CrossSections::have_initial_strains() const {
-  const auto has_them = [](const CrossSection& section) {
-    const auto laminate = section.material.laminate();
-    return laminate && laminate->has_initial_strains();
-  };
-  return has_them(common) || std::ranges::any_of(regions, [&](const auto& region) { return has_them(region.second); });
-}
-
 int CrossSections::most_layers() const {
   const auto count = [](const CrossSection& section) {
     const auto laminate = section.material.laminate();

@@ -5,6 +5,7 @@
 #include <plastron/geometry/expression.hpp>
 #include <plastron/shell/material.hpp>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -28,8 +29,14 @@ struct CrossSections {
       if (section.density > 0) return true;
     return common.density > 0;
   }
-  /// Whether some layer has initial strains.
-  bool have_initial_strains() const;
+  /// Whether some layer has initial strains. (Inline, as has_mass(): the front program does not load the folder's libraries.)
+  bool have_initial_strains() const {
+    const auto has_them = [](const CrossSection& section) {
+      const auto laminate = section.material.laminate();
+      return laminate && laminate->has_initial_strains();
+    };
+    return has_them(common) || std::ranges::any_of(regions, [&](const auto& own) { return has_them(own.second); });
+  }
   /// Returns the largest number of layers of a laminate; 0 without laminates.
   int most_layers() const;
   /// Returns the material of the smallest E. With it, measures of the whole shell are conservative.
