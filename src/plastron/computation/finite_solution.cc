@@ -1,6 +1,7 @@
 #include <plastron/computation/finite_solution.hpp>
 
 #include <plastron/finite/modes.hpp>
+#include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,18 @@ bool has_potential(const assembly::DiscreteShell& discrete) {
          !discrete.shell.sections().have_initial_strains() && assembly::pressed_obstacles(discrete).empty();
 }
 
+/// Linearises the shell at a state and returns its potential there, infinity where it has none: a gap has no direction, or a support
+/// cannot hold (collective).
+double potential_at(assembly::DiscreteShell& discrete, assembly::State state, double weight) {
+  try {
+    linearise(discrete, std::move(state));
+    return finite::potential(discrete, weight);
+  } catch (const obstacle::ObstacleError&) {
+  } catch (const assembly::SupportError&) {
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 /// Goes on from the state of the shell in the direction from `before`, twice as far each time, while that lowers the potential: a shell
 /// that snaps moves far, and where it begins to, Newton steps are short (collective).
 void lengthen(assembly::DiscreteShell& discrete, const assembly::State& before, double weight) {
@@ -161,8 +174,7 @@ void lengthen(assembly::DiscreteShell& discrete, const assembly::State& before, 
     assembly::State further = nearer;
     algebra::axpy(factor, direction, further.displacement);
     further.displacement.update_ghosts();
-    linearise(discrete, std::move(further));
-    const double potential = finite::potential(discrete, weight);
+    const double potential = potential_at(discrete, std::move(further), weight);
     if (!(potential < lowest)) return linearise(discrete, nearer);
     lowest = potential;
   }
@@ -240,8 +252,8 @@ bool has_escaped(assembly::DiscreteShell& discrete, const Escape& escape) {
   algebra::axpy(escape.size * algebra::min_over_ranks(thickness, discrete.space().layout->comm), escape.motion,
                 next.displacement);
   next.displacement.update_ghosts();
-  linearise(discrete, std::move(next));
-  if (escape.is_stable && !(finite::potential(discrete, 0) < energy)) return false;
+  const double potential = potential_at(discrete, std::move(next), 0);
+  if (std::isinf(potential) || (escape.is_stable && !(potential < energy))) return false;
   lengthen(discrete, equilibrium, 0);
   return true;
 }
