@@ -39,18 +39,24 @@ double largest_way(algebra::Vector before, const algebra::Vector& now) {
   return solution::largest_displacement(before);
 }
 
+/// Least thickness at nodes (collective) [m].
+double least_thickness(const assembly::DiscreteShell& discrete) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const assembly::NodalPoint& point : discrete.points) least = std::min(least, point.thickness);
+  return algebra::min_over_ranks(least, discrete.space().layout->comm);
+}
+
 /// Whether a short step has ended in a shell without strain: what follows is rounding, however large beside displacements that are
 /// rounding, too (collective).
 bool is_unstrained_after(const assembly::DiscreteShell& discrete, const finite::NewtonStep& step) {
   if (step.largest_rotation >= small_step) return false;
-  double thickness = std::numeric_limits<double>::infinity(), energy = 0;
+  double energy = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const assembly::NodalPoint& point = discrete.points[i];
-    thickness = std::min(thickness, point.thickness);
     energy += rounding_strain * rounding_strain * point.young * point.weight * point.thickness / 2;
   }
   const MPI_Comm comm = discrete.space().layout->comm;
-  return step.largest_displacement < small_step * algebra::min_over_ranks(thickness, comm) &&
+  return step.largest_displacement < small_step * least_thickness(discrete) &&
          discrete.energies(discrete.state.displacement).total() < algebra::sum_over_ranks(energy, comm);
 }
 
@@ -237,20 +243,15 @@ Escape escape_from(const assembly::DiscreteShell& discrete, const Found& found, 
     const double size = algebra::dot(back, examined.motion) < 0 ? -snap : snap;
     return {.motion = std::move(examined.motion), .size = size};
   }
-  if (examined.stability.has_idle_contact())
-    return {.motion = std::move(examined.away), .size = disturbance, .is_stable = true};
-  return {};
+  return {.motion = std::move(examined.away), .size = disturbance, .is_stable = true};
 }
 
-/// Moves the shell from its equilibrium, further and further while that lowers the potential. Returns whether it escapes (collective).
-bool has_escaped(assembly::DiscreteShell& discrete, const Escape& escape) {
+/// Moves the shell from its equilibrium, further and further while that lowers the potential. Returns whether it escapes; `energy`: the
+/// potential of the equilibrium (collective).
+bool has_escaped(assembly::DiscreteShell& discrete, const Escape& escape, double energy) {
   const assembly::State equilibrium = discrete.state;
-  const double energy = finite::potential(discrete, 0);
-  double thickness = std::numeric_limits<double>::infinity();
-  for (const assembly::NodalPoint& point : discrete.points) thickness = std::min(thickness, point.thickness);
   assembly::State next = equilibrium;
-  algebra::axpy(escape.size * algebra::min_over_ranks(thickness, discrete.space().layout->comm), escape.motion,
-                next.displacement);
+  algebra::axpy(escape.size * least_thickness(discrete), escape.motion, next.displacement);
   next.displacement.update_ghosts();
   const double potential = potential_at(discrete, std::move(next), 0);
   if (std::isinf(potential) || (escape.is_stable && !(potential < energy))) return false;
@@ -266,7 +267,7 @@ Found left(LevelRun& run, Found found, const algebra::Vector& before) {
   if (!escape.motion.layout()) return found;
   const assembly::State equilibrium = discrete.state;
   const double energy = finite::potential(discrete, 0);
-  if (has_escaped(discrete, escape))
+  if (has_escaped(discrete, escape, energy))
     if (auto near = descended(run)) {
       Found lower = newton_solution(run, std::move(*near));
       if (lower.z.status == contact::Status::solved && !run.needed_shift && finite::potential(discrete, 0) < energy) {

@@ -118,7 +118,10 @@ std::optional<algebra::Eigenpairs> largest_destabilisations(const algebra::Matri
 /// Touching nodes whose eta is below weak_part of its obstacle's largest.
 struct WeakContact {
   std::vector<const assembly::ContactRow*> rows{};  // of owned nodes
-  Stability parts{};                                // their number, force and area over all ranks
+  std::int64_t nodes = 0;                           // over all ranks
+  double force = 0, area = 0;                       // as parts of those of all touching nodes
+
+  bool is_idle() const { return force < 0.01 && area > 0.5; }
 };
 
 WeakContact weak_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
@@ -148,9 +151,9 @@ WeakContact weak_contact(const assembly::DiscreteShell& discrete, const solution
     const double all = algebra::sum_over_ranks(of_all[i], comm), of_them = algebra::sum_over_ranks(of_weak[i], comm);
     return all > 0 ? of_them / all : 0;
   };
-  weak.parts.weak_nodes = algebra::sum_over_ranks(static_cast<std::int64_t>(weak.rows.size()), comm);
-  weak.parts.weak_force = part(0);
-  weak.parts.weak_area = part(1);
+  weak.nodes = algebra::sum_over_ranks(static_cast<std::int64_t>(weak.rows.size()), comm);
+  weak.force = part(0);
+  weak.area = part(1);
   return weak;
 }
 
@@ -261,7 +264,7 @@ double margin_of(const std::optional<algebra::Eigenpairs>& pairs) {
 }  // namespace
 
 bool has_idle_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
-  return weak_contact(discrete, solution).parts.has_idle_contact();
+  return weak_contact(discrete, solution).is_idle();
 }
 
 ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
@@ -277,15 +280,13 @@ ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, con
   stability.margin = stability.margin_without_weak_contact = margin_of(held);
   if (stability.margin < 1) result.motion = shape_of(motions.coordinates, held->vectors[0]);
   const WeakContact weak = weak_contact(discrete, solution);
-  stability.weak_nodes = weak.parts.weak_nodes;
-  stability.weak_force = weak.parts.weak_force;
-  stability.weak_area = weak.parts.weak_area;
+  stability.weak_nodes = weak.nodes;
   if (stability.weak_nodes == 0) return result;
   for (const assembly::ContactRow* row : weak.rows)
     motions.fixed[discrete.coordinates.at(row->node, row->coordinate)] = 0;
   const auto released = softest(motions.fixed);
   stability.margin_without_weak_contact = margin_of(released);
-  if (stability.margin_without_weak_contact <= 0) {
+  if (weak.is_idle() && stability.margin_without_weak_contact <= 0) {
     result.away = shape_of(motions.coordinates, released->vectors[0]);
     turn_away(discrete, weak, result.away);
   }

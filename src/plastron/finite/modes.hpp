@@ -39,27 +39,23 @@ struct Stability {
   /// shell in place, a small disturbance can make it snap. Equal to the margin without such nodes.
   double margin_without_weak_contact = std::numeric_limits<double>::quiet_NaN();
   std::int64_t weak_nodes = 0;  ///< number of these nodes
-  double weak_force = 0;        ///< their force, as a part of that of all touching nodes
-  double weak_area = 0;         ///< their area, likewise
   /// Under control, the margin where the loads stay as they are and the controlled point may move; negative beyond limit points
   /// of the loads.
   std::optional<double> margin_under_loads{};
 
   static constexpr double weak_part = 1e-2;
-  /// Whether contact is idle: most of it is weak, and it carries nearly nothing. Where a strip lies flat on a wall, an imperfection makes
-  /// it touch, and another one would not.
-  bool has_idle_contact() const { return weak_nodes > 0 && weak_force < 1e-2 && weak_area > 0.5; }
 };
 
 struct ExaminedStability {
   Stability stability{};
   /// (u, r) of the motion of the margin, the largest |u| is 1; without layout where the margin is 1 or NaN.
   algebra::Vector motion{};
-  /// The same for the margin without weak contact, away from the obstacles; without layout where that margin is positive.
+  /// The same for the margin without weak contact, away from the obstacles, if that contact is idle and the margin not positive.
   algebra::Vector away{};
 };
 
-/// Stability::has_idle_contact() without the margins (collective).
+/// Whether contact is idle: weak nodes have more than half of its area and less than 0.01 of its force. Where a strip lies flat on a wall,
+/// an imperfection makes it touch, and another one would not (collective).
 bool has_idle_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 /// Examines a solution at the state of its shell (collective). Throws ObstacleError.
