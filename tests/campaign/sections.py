@@ -55,6 +55,8 @@ def _thickness(case, factor=1.0):
 def shell(case):
     row = case.row
     lines = ["[shell]", *_moduli(case), _thickness(case)]
+    if case.extra.get("material") == "isotropic layers":
+        lines.append("shear_correction = 1")  # that of one layer; several would have 5/6
     if row["load"] == "weight" or row["modes"] == "vibration":
         lines.append("density = 1.0")
     if row["formulation"] != "tangent":

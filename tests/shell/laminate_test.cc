@@ -22,6 +22,12 @@ Frame some_frame() {
                              .dd = {Vector3d(0.1, 0, 0.3), Vector3d(0, 0.2, 0.1), Vector3d(0, 0, -0.4)}});
 }
 
+/// As at a node of a mesh in space, where the director is the mean of the normals of its cells.
+Frame frame_with_inclined_director() {
+  const Frame f = some_frame();
+  return geometry::frame_with_director(f.phi, f.a_cov, (f.a3 + Vector3d(0.2, -0.1, 0.05)).normalized(), f.da3);
+}
+
 std::vector<Layer> layers(const Orthotropic& material, const std::vector<double>& degrees) {
   std::vector<Layer> all;
   for (const double angle : degrees) all.push_back({.material = material, .angle = angle * pi / 180});
@@ -46,7 +52,7 @@ TEST(Laminate, OfIsotropicLayersIsTheIsotropicSection) {
   const std::vector<Layer> stack{{.material = steel, .part = 1, .angle = 0.3},
                                  {.material = steel, .part = 2.5, .angle = -1.1},
                                  {.material = steel, .part = 0.2, .angle = 2}};
-  for (const Frame& frame : {plane(), some_frame()})
+  for (const Frame& frame : {plane(), some_frame(), frame_with_inclined_director()})
     expect_same(section_at(stacked(stack, {1, 2, -0.3}), frame, 0.13),
                 section_at(Material::from_young_poisson(7, 0.28, 5.0 / 6), frame, 0.13));
 }

@@ -205,7 +205,9 @@ bool Laminate::has_axes(const Vector3d& a3) const {
 }
 
 Matrix2d Laminate::axes(const geometry::Frame& frame) const {
-  const Vector3d t1 = geometry::tangential(direction_, frame.a3).normalized(), t2 = frame.a3.cross(t1);
+  // A director need not be normal to the tangents; the layers lie along these.
+  const Vector3d normal = frame.a_cov[0].cross(frame.a_cov[1]) / frame.sqrt_a;
+  const Vector3d t1 = geometry::tangential(direction_, normal).normalized(), t2 = normal.cross(t1);
   Matrix2d axes;
   axes << t1.dot(frame.a_con[0]), t1.dot(frame.a_con[1]), t2.dot(frame.a_con[0]), t2.dot(frame.a_con[1]);
   return axes;
