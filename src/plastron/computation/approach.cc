@@ -53,7 +53,8 @@ bool needs_parts(const LevelResult& level) {
   return record.has_jumped || record.has_lost_stiffness || (record.status != infeasible && record.status != solved);
 }
 
-/// Goes to an instant in parts from the undeformed shell; empty if that fails.
+}  // namespace
+
 std::optional<LevelResult> solved_in_parts(Run& run, const problem::Instant& to, const LevelTask& task,
                                            std::unique_ptr<assembly::DiscreteShell> discrete, const Pace& pace) {
   const problem::Instant start = problem::start(run.problem);
@@ -63,6 +64,7 @@ std::optional<LevelResult> solved_in_parts(Run& run, const problem::Instant& to,
   const auto solve = [&](const problem::Instant& instant, const Departure& departure, double part) {
     LevelTask now = &instant == &to ? task : run.task(run.last_level());
     if (&instant != &to) now.admissible = false;
+    now.leaves_unstable = task.leaves_unstable;
     LevelResult level =
         solve_level(now, run.relinearised(run.state_at(instant, departure), departure.trend, now), run.observer);
     run.search_path(level);
@@ -78,11 +80,15 @@ std::optional<LevelResult> solved_in_parts(Run& run, const problem::Instant& to,
       run.result.solution = std::move(level.solution);
     return attempt;
   };
-  go_in_parts(run, start, to, pace, solve);
+  const problem::Instant* from = &start;
+  for (const problem::Instant& next : run.instants) {
+    if (!(next.factors.time < to.factors.time)) break;
+    if (!go_in_parts(run, *from, next, pace_of(next), solve)) return {};
+    from = &next;
+  }
+  go_in_parts(run, *from, to, pace, solve);
   return last;
 }
-
-}  // namespace
 
 LevelResult solved_from_start(Run& run, const problem::Instant& to, LevelTask task,
                               std::unique_ptr<assembly::DiscreteShell> discrete) {

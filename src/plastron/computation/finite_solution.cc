@@ -186,12 +186,27 @@ void lengthen(assembly::DiscreteShell& discrete, const assembly::State& before, 
   }
 }
 
+/// Goes back from the state of the shell towards `before`, half as far each time, until the potential is below `merit`: a step that is
+/// too long for the stiffness at its beginning still points downwards. May end above (collective).
+void shorten(assembly::DiscreteShell& discrete, const assembly::State& before, double merit, double weight) {
+  constexpr int most_halvings = 4;
+  algebra::Vector half = discrete.state.displacement;
+  algebra::axpy(-1, before.displacement, half);
+  for (int i = 0; i < most_halvings; ++i) {
+    for (double& value : half.local()) value /= 2;
+    assembly::State nearer = discrete.state;
+    algebra::axpy(-1, half, nearer.displacement);
+    nearer.displacement.update_ghosts();
+    if (potential_at(discrete, std::move(nearer), weight) < merit) return;
+  }
+}
+
 /// Descends from the state of the shell towards a local minimum of the potential: Newton steps with the stresses of the state and
 /// a stiffness to which a multiple of the diagonal is added until they lower it. Returns the start of the steps that finish;
 /// empty if the shell has not descended. Needed where it snaps away from an obstacle.
 std::optional<finite::StepStart> descended(LevelRun& run) {
   constexpr int most_steps = 200;
-  constexpr double near = 1e-2, first_shift = 1e-3, least_shift = 1e-6, largest_shift = 1e2;
+  constexpr double near = 1e-4, first_shift = 1e-3, least_shift = 1e-6, largest_shift = 1e2;
   assembly::DiscreteShell& discrete = run.discrete();
   algebra::Vector zone(discrete.space().layout, discrete.obstacle_block());
   const auto start_with = [&](double shift) {
@@ -209,6 +224,7 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
     weight = std::max(weight, 2 * finite::largest_reaction(discrete, step));
     const double merit = finite::potential(discrete, weight);
     linearise(discrete, finite::next_state(discrete, start, step));
+    if (!(finite::potential(discrete, weight) < merit)) shorten(discrete, before, merit, weight);
     if (finite::potential(discrete, weight) < merit) {
       lengthen(discrete, before, weight);
       has_descended = true;

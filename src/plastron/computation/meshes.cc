@@ -76,6 +76,28 @@ bool Meshes::reach_accuracy(const problem::Instant& instant) {
   return true;
 }
 
+void Meshes::begin_again(const problem::Instant& instant, LevelTask task, LevelResult& level) {
+  const auto is_controlled = [](const problem::Instant& other) { return other.control != nullptr; };
+  if (!run_.problem.accuracy || run_.result.levels.size() < 2 || std::ranges::any_of(run_.instants, is_controlled))
+    return;
+  fem::MeshSequence start = meshing::mesh_sequence(run_.problem, run_.comm);
+  for (int i = 0; i < run_.problem.discretisation.refinements; ++i) start.refine({});
+  auto surface = std::make_shared<const fem::Surface>(start.space()->coarse, run_.problem.charts);
+  const Path path = std::exchange(run_.path, {});
+  task.zone.reset();
+  auto again = solved_in_parts(run_, instant, task,
+                               assembly::discretise(start.space(), surface, run_.problem.shell, assembly::State{}),
+                               pace_of(instant));
+  run_.before.reset();
+  if (!again) {
+    run_.path = path;
+    return;
+  }
+  level = std::move(*again);
+  sequence_ = std::move(start);
+  surface_ = std::move(surface);
+}
+
 bool Meshes::solve_next(const problem::Instant& instant) {
   Result& result = run_.result;
   const int number = static_cast<int>(result.levels.size());

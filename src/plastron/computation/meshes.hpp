@@ -21,6 +21,9 @@ class Meshes {
   /// accuracy is reached or a limit stands. Cells that only earlier instants needed may be joined. Returns whether the
   /// computation continues (collective).
   bool reach_accuracy(const problem::Instant& instant);
+  /// Where the shell has jumped, the cells that its former shape needed are of no use: solves the instant again on the start mesh, from
+  /// the undeformed shell, if an accuracy is requested and no displacement is controlled. `level` becomes that solution, or stays if there is none (collective).
+  void begin_again(const problem::Instant& instant, LevelTask task, LevelResult& level);
   /// Estimates the errors of the solution at hand by the mesh of the mid-surface, if this is a mesh in space and errors
   /// are estimated (collective).
   void judge_geometry();

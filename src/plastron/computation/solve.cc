@@ -34,6 +34,7 @@ Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, con
     run.result.solution = std::move(level.solution);
     return attempt;
   }
+  if (level.record.has_jumped) meshes.begin_again(instant, task, level);
   run.take(std::move(level));
   if (run.result.estimates && !meshes.reach_accuracy(instant) && run.result.status == contact::Status::interrupted)
     return {};

@@ -173,6 +173,7 @@ MeshSequence::MeshSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm, F
 
 MeshSequence::~MeshSequence() = default;
 MeshSequence::MeshSequence(MeshSequence&&) noexcept = default;
+MeshSequence& MeshSequence::operator=(MeshSequence&&) noexcept = default;
 
 std::shared_ptr<const Space> MeshSequence::space() const { return storage_->finished; }
 

@@ -30,6 +30,7 @@ class MeshSequence {
   MeshSequence(mesh::CoarseMesh coarse, int degree, MPI_Comm comm, Finish finish = {}, Even even = {});
   ~MeshSequence();
   MeshSequence(MeshSequence&&) noexcept;
+  MeshSequence& operator=(MeshSequence&&) noexcept;
 
   /// The current level. Shared ownership lets results outlive the next refinement.
   std::shared_ptr<const Space> space() const;

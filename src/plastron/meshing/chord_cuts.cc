@@ -53,13 +53,13 @@ class CellShapes {
  public:
   explicit CellShapes(const fem::Surface& surface) : surface_(surface) {}
 
-  /// Returns the direction in which a cell is longer.
-  std::size_t longer(std::size_t cell) const {
-    const auto length = [&](const Vector2d& from, const Vector2d& to) {
-      return (at(cell, from).phi - at(cell, to).phi).norm();
-    };
-    return length({0, 0.5}, {1, 0.5}) >= length({0.5, 0}, {0.5, 1}) ? 0 : 1;
+  /// Returns the size of a cell in a direction.
+  double size(std::size_t cell, std::size_t direction) const {
+    const auto side = [&](double x) { return at(cell, direction == 0 ? Vector2d(x, 0.5) : Vector2d(0.5, x)).phi; };
+    return (side(1) - side(0)).norm();
   }
+  /// Returns the direction in which a cell is longer.
+  std::size_t longer(std::size_t cell) const { return size(cell, 0) >= size(cell, 1) ? 0 : 1; }
 
   /// Whether the sides of a part of a cell are nearly straight. Their bend in the tangent plane, where polynomials are
   /// fitted, must be at most `bend` times the width of the part. `from` and `to` limit the part in `direction`.
@@ -83,11 +83,12 @@ class CellShapes {
   const fem::Surface& surface_;
 };
 
-/// Judges cuts of chords: the parts of cells are neither too small nor too bent.
+/// Judges cuts of chords: the parts of cells are neither too small, too slender nor too bent.
 class CutRule {
  public:
-  CutRule(const fem::Space& space, const CellShapes& shapes, const Chords& numbers)
+  CutRule(const fem::Space& space, const CellShapes& shapes, const Chords& numbers, double most_slender)
       : shapes_(shapes),
+        most_slender_(most_slender),
         parts_(fem::cut_cells(*space.coarse)),
         cells_(static_cast<std::size_t>(numbers.count)),
         may_be_bent_(space.degree <= constants.bent_degree) {
@@ -102,6 +103,7 @@ class CutRule {
       const auto d = static_cast<std::size_t>(at.direction);
       return shapes_.is_straight(at.cell, d, 0, cut, constants.largest_bend) &&
              shapes_.is_straight(at.cell, d, cut, 1, constants.largest_bend) &&
+             shapes_.size(at.cell, 1 - d) <= most_slender_ * shapes_.size(at.cell, d) * std::min(cut, 1 - cut) &&
              parts_[at.cell].size[at.direction] * std::min(cut, 1 - cut) >= constants.smallest_cell;
     });
   }
@@ -120,6 +122,7 @@ class CutRule {
     Eigen::Index direction;
   };
   const CellShapes& shapes_;
+  double most_slender_;
   std::vector<fem::CutCell> parts_;
   std::vector<std::vector<Crossing>> cells_;  // by chord
   bool may_be_bent_;
@@ -188,7 +191,7 @@ class ChordChoice {
   }
 
   void place_cuts() {
-    const CutRule rule(space_, shapes_, numbers_);
+    const CutRule rule(space_, shapes_, numbers_, task_.most_slender);
     for (std::size_t i = 0; i < chords_.size(); ++i) {
       double& cut = chords_[i].cut;
       // Moves the cut towards the middle. A chord that cannot even be halved has no worth.
@@ -305,7 +308,7 @@ std::vector<mesh::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& 
 }
 
 std::vector<mesh::Cuts> cuts_through(const fem::Space& space, const fem::Surface& surface,
-                                     std::span<const std::size_t> cells) {
+                                     std::span<const std::size_t> cells, double most_slender) {
   if (!has_whole_chords(space)) return {};
   const CellShapes shapes(surface);
   const Chords numbers = chords(*space.coarse);
@@ -316,7 +319,7 @@ std::vector<mesh::Cuts> cuts_through(const fem::Space& space, const fem::Surface
   std::vector<double> lengths(count, 0), given(count + 1, 0);  // numbers of cells; the last one: of all given cells
   for (const auto& of_cell : numbers.of_cell)
     for (const int chord : of_cell) lengths[static_cast<std::size_t>(chord)] += 1;
-  const CutRule rule(space, shapes, numbers);
+  const CutRule rule(space, shapes, numbers, most_slender);
   std::vector<char> can_be_cut;
   for (std::size_t chord = 0; chord < count; ++chord) can_be_cut.push_back(rule.allows(chord, 0.5) ? 1 : 0);
   for (const std::size_t cell : cells) {

@@ -7,6 +7,7 @@
 #include <plastron/fem/surface.hpp>
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct ChordTask {
   bool are_met = false;      ///< the goals are met: only unjudged cells are a reason to cut
   /// Only the chords of cells at edges of contact zones are cut, or none if dividing these cells is much cheaper.
   bool at_edges = false;
+  double most_slender = std::numeric_limits<double>::infinity();  ///< length of a part over its width, at most
 };
 
 /// Returns cuts of the coarse cells, see fem::MeshSequence::cut. Empty where cells are already divided or single cells
@@ -43,6 +45,7 @@ std::vector<mesh::Cuts> chord_cuts(const fem::Space& space, const fem::Surface& 
 /// Returns cuts that halve these owned cells along their chords, as chord_cuts() does. Empty where the division of the
 /// cells adds fewer cells (collective).
 std::vector<mesh::Cuts> cuts_through(const fem::Space& space, const fem::Surface& surface,
-                                     std::span<const std::size_t> cells);
+                                     std::span<const std::size_t> cells,
+                                     double most_slender = std::numeric_limits<double>::infinity());
 
 }  // namespace plastron::meshing
