@@ -55,6 +55,18 @@ std::string with_thickness(const std::string& thickness) {
          thickness + "\n";
 }
 
+// The key that it means was told as missing, too.
+TEST(MistypedKey, IsOneMistakeAlsoWhereTheKeyIsRequired) {
+  const std::pair<std::string, std::string> cases[] = {{"thicknes", "thickness"},  {"thikness", "thickness"},
+                                                       {"Thickness", "thickness"}, {"chrat", "chart"},
+                                                       {"geometri", "geometry"},   {"shel", "shell"}};
+  for (const auto& [wrong, right] : cases) {
+    std::string text = with_thickness("0.1");
+    text.replace(text.find(right), right.size(), wrong);
+    EXPECT_NE(only_mistake(text).advice.find(right), std::string::npos) << wrong;
+  }
+}
+
 TEST(Caret, StandsAtTheWrongCharacterInsideAnyKindOfString) {
   EXPECT_EQ(only_mistake(with_thickness("\"1 + q\"")).column, 18);
   EXPECT_EQ(only_mistake(with_thickness("'1 + q'")).column, 18);

@@ -56,6 +56,13 @@ std::string contradiction_text(const assembly::DiscreteShell& discrete) {
   if (most[0] == 0) return {};
   const auto name = [&](double k) { return discrete.obstacles_at_start.all[static_cast<std::size_t>(k)].text(); };
   const std::string place = text_of_place(discrete, {most[3], most[4]});
+  constexpr double rounding = 1e-9;  // of the length that obstacles have moved or stood away
+  double farthest = 0;
+  for (const assembly::ContactRow& row : discrete.coordinates.rows)
+    farthest = std::max(farthest, std::abs(row.bound_gap));
+  if (most[2] >= 0 && most[0] < rounding * algebra::max_over_ranks(farthest, discrete.space().layout->comm))
+    return fmt::format("Forces press {} and {} from both sides onto the shell at {}; hold one of them", name(most[1]),
+                       name(most[2]), place);
   return most[2] < 0
              ? fmt::format("A support holds the shell {:.2g} m deep inside of {} at {}", most[0], name(most[1]), place)
              : fmt::format("{:.2g} m are missing between {} and {} at {}", most[0], name(most[1]), name(most[2]),

@@ -88,7 +88,16 @@ void Table::report_unknown(const std::string& name, const toml::value& value) co
                    joined(known), advice);
 }
 
+bool Table::is_mistyped(const Key& key) const {
+  const auto known = names(section_->keys);
+  const auto means_it = [&](const auto& entry) {
+    return nearest(entry.first, known) == key.name && !limit_of(section_->path, entry.first);
+  };
+  return section_->other_keys.empty() && std::ranges::any_of(other_entries(), means_it);
+}
+
 void Table::report_missing(const Key& key) const {
+  if (is_mistyped(key)) return;  // told with the unknown key
   if (section_->path.empty())
     reading_->mistakes.push_back(
         {.file = reading_->source.file_name(), .what = fmt::format("the section [{}] is missing", key.name)});

@@ -80,6 +80,8 @@ class Table {
   const Section& section_of(const std::string& name) const;
   std::vector<Table> tables(const std::string& name) const;
   void report_unknown(const std::string& name, const toml::value& value) const;
+  /// Whether an unknown key probably means this one.
+  bool is_mistyped(const Key& key) const;
   void report_missing(const Key& key) const;
   std::optional<std::string> checked_name(const Item& item, const std::string& what,
                                           const std::vector<std::string>& known) const;
