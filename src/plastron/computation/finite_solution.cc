@@ -109,8 +109,10 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     linearise(discrete, finite::next_state(discrete, start, step));
     const double displacement = solution::largest_displacement(discrete.state.displacement);
     start = std::move(step.next);
-    const double size =
-        std::max(step.largest_rotation, displacement > 0 ? step.largest_displacement / displacement : 0);
+    // An obstacle that a force presses may move alone: lifted bounds push it, and not the shell.
+    double way = step.largest_displacement;
+    for (const double position : step.box.positions) way = std::max(way, std::abs(position));
+    const double size = std::max(step.largest_rotation, displacement > 0 ? way / displacement : 0);
     start.prestress.is_exact = step.shift == 0 && size < near_end && size > slow * before;
     if (step.shift > 0) {
       const bool touches = !step.box.iterations.empty() && step.box.iterations.back().active > 0;
