@@ -183,20 +183,18 @@ class GapSearch {
 
 }  // namespace
 
-void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
-                 const GapVisitor& visit) {
-  const fem::Space& space = discrete.space();
-  const element::BasisAt basis =
-      element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals));
-  std::vector<double> gaps(basis.xi.size());
+void visit_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                const std::function<void(std::size_t cell, std::size_t obstacle, const GapsAt&)>& visit) {
   CellPoints points(discrete, y);
   const auto near = points.near_obstacles();
-  for (std::size_t c = 0; c < space.owned_cells; ++c)
-    for (const std::size_t k : near[c]) {
-      points.look_at(c, k, basis);
-      for (std::size_t p = 0; p < gaps.size(); ++p) gaps[p] = points.gap(k, p).distance;
-      visit(c, k, gaps);
-    }
+  for (std::size_t c = 0; c < near.size(); ++c)
+    for (const std::size_t k : near[c])
+      visit(c, k, [&](const element::BasisAt& at) {
+        points.look_at(c, k, at);
+        std::vector<double> gaps(at.xi.size());
+        for (std::size_t p = 0; p < gaps.size(); ++p) gaps[p] = points.gap(k, p).distance;
+        return gaps;
+      });
 }
 
 std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
@@ -222,10 +220,13 @@ std::vector<CellGap> searched_gaps(const assembly::DiscreteShell& discrete, cons
 double min_gap_on_lattice(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals) {
   if (discrete.obstacles.empty()) return std::numeric_limits<double>::infinity();
   const MPI_Comm comm = discrete.space().layout->comm;
+  const fem::Space& space = discrete.space();
+  const element::BasisAt lattice =
+      element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals));
   double smallest = std::numeric_limits<double>::infinity();
   algebra::in_agreement<obstacle::ObstacleError>(comm, [&] {
-    sample_gaps(discrete, y, intervals, [&](std::size_t, std::size_t, std::span<const double> gaps) {
-      smallest = std::min(smallest, *std::ranges::min_element(gaps));
+    visit_gaps(discrete, y, [&](std::size_t, std::size_t, const GapsAt& gaps_at) {
+      smallest = std::min(smallest, std::ranges::min(gaps_at(lattice)));
     });
   });
   return algebra::min_over_ranks(smallest, comm);

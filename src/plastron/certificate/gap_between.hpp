@@ -5,19 +5,17 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace plastron::certificate {
 
 using geometry::Vector3d;
 
-/// Receives an owned cell, an obstacle near it and the gaps at the points of a lattice.
-using GapVisitor = std::function<void(std::size_t cell, std::size_t obstacle, std::span<const double> gaps)>;
-/// Visits the owned cells and the obstacles near them with the gaps on mesh::lattice() with `intervals` per side.
-/// Throws ObstacleError on this rank alone.
-void sample_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, int intervals,
-                 const GapVisitor& visit);
+/// Returns the gaps at points of a cell.
+using GapsAt = std::function<std::vector<double>(const element::BasisAt&)>;
+/// Visits the owned cells and the obstacles near them. Throws ObstacleError on this rank alone.
+void visit_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                const std::function<void(std::size_t cell, std::size_t obstacle, const GapsAt&)>& visit);
 
 /// The least gap between an owned cell and an obstacle near it.
 struct CellGap {

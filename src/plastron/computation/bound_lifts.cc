@@ -14,17 +14,22 @@ namespace {
 
 /// Limit of the depth in an obstacle, as a part of the thickness or of the largest displacement, whichever is larger.
 constexpr double negligible = 1e-9;
-/// Order of the norm of the cells' depths by which a node's lift grows. It exceeds the largest depth by at most a
-/// seventh.
-constexpr int order = 16;
+/// Order of the norm of the cells' depths by which a node's lift grows. It exceeds the largest depth of eight cells by
+/// at most a nineteenth.
+constexpr int order = 40;
 constexpr int max_rounds = 30;
 /// A round without gain leaves more than this part of the least depth so far. A few of them may follow one another.
 constexpr double gain = 0.9;
 constexpr int max_rounds_without_gain = 4;
+/// Part of the thickness. Nodes that need a greater lift do not see the obstacle: the mesh is too coarse.
+constexpr double most_of_thickness = 0.25;
+/// Lifts are lowered where the gap exceeds this part of them between nodes, too, and of the largest lift somewhere.
+constexpr double allowance = 0.1;
+constexpr int max_lowerings = 2;
 /// Largest weight of fixed nodes at which lifts of the other nodes can reduce a depth.
 constexpr double most_fixed = 0.5;
 
-/// Returns at least twice the fineness of the reported gaps.
+/// Intervals of the first lattice: at least twice the fineness of the reported gaps.
 int lattice_intervals(int degree) { return std::max(8, 4 * degree); }
 
 /// The free nodes of a cell, and the weight of fixed nodes at the points of a basis. Supports fix these nodes against
@@ -62,29 +67,38 @@ algebra::Vector fixed_nodes(const assembly::DiscreteShell& discrete) {
   return fixed;
 }
 
-struct CellDepth {
+struct LeastGap {
   std::size_t cell, obstacle;
-  double depth;  ///< [m]
+  double gap;  ///< [m]
 };
 
-/// Returns this rank's cells that are partly inside an obstacle.
-std::vector<CellDepth> depths_here(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
-                                   const CellWeights& weights) {
+/// Calls visit(cell, obstacle, least gap) for this rank's cells near obstacles.
+template <class Counted, class Visit>
+void visit_least_gaps(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double tolerance,
+                      const Counted& counted, const Visit& visit) {
   const fem::Space& space = discrete.space();
-  const int intervals = lattice_intervals(space.degree);
-  const LatticeBound bound(space.shape(), intervals);
-  const constraints::RowMatrix basis =
-      element::basis_at(space.shape(), space.degree, mesh::lattice(space.shape(), intervals)).value;
-  std::vector<CellDepth> all;
-  certificate::sample_gaps(discrete, y, intervals,
-                           [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
-                             const Eigen::VectorXd fixed = weights.fixed(cell, obstacle, basis);
-                             double depth = 0;
-                             for (std::size_t p = 0; p < gaps.size(); ++p)
-                               if (fixed[static_cast<Eigen::Index>(p)] <= most_fixed)
-                                 depth = std::max(depth, -bound.at(p, gaps));
-                             if (depth > 0) all.push_back({cell, obstacle, depth});
-                           });
+  certificate::visit_gaps(discrete, y, [&](std::size_t cell, std::size_t k, const certificate::GapsAt& gaps_at) {
+    visit(cell, k, least_in_cell(space.shape(), lattice_intervals(space.degree), tolerance, [&](auto points) {
+            const element::BasisAt at = element::basis_at(space.shape(), space.degree, {points.begin(), points.end()});
+            return counted(cell, k, at.value, gaps_at(at));
+          }));
+  });
+}
+
+/// Returns the least gaps of this rank's cells. Where lifts reduce no depth, it does not count.
+std::vector<LeastGap> least_gaps_here(const assembly::DiscreteShell& discrete, const algebra::Vector& y,
+                                      double tolerance, const CellWeights& weights) {
+  std::vector<LeastGap> all;
+  const auto counted = [&](std::size_t cell, std::size_t k, const constraints::RowMatrix& basis,
+                           std::vector<double> gaps) {
+    const Eigen::VectorXd fixed = weights.fixed(cell, k, basis);
+    for (std::size_t p = 0; p < gaps.size(); ++p)
+      if (fixed[static_cast<Eigen::Index>(p)] > most_fixed) gaps[p] = std::max(gaps[p], 0.0);
+    return gaps;
+  };
+  visit_least_gaps(discrete, y, tolerance, counted, [&](std::size_t cell, std::size_t k, double gap) {
+    all.push_back({cell, k, gap});
+  });
   return all;
 }
 
@@ -111,13 +125,15 @@ double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Ve
 
 double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
   const MPI_Comm comm = discrete.space().layout->comm;
+  const double tolerance = negligible * length_scale(discrete, y);
   double most = 0;
   algebra::in_agreement<obstacle::ObstacleError>(comm, [&] {
-    certificate::sample_gaps(discrete, y, lattice_intervals(discrete.space().degree),
-                             [&](std::size_t cell, std::size_t obstacle, std::span<const double> gaps) {
-                               const double least = least_at_nodes(discrete, y, cell, obstacle);
-                               most = std::max(most, least - *std::ranges::min_element(gaps));
-                             });
+    const auto all = [](std::size_t, std::size_t, const constraints::RowMatrix&, std::vector<double> gaps) {
+      return gaps;
+    };
+    visit_least_gaps(discrete, y, tolerance, all, [&](std::size_t cell, std::size_t k, double gap) {
+      most = std::max(most, least_at_nodes(discrete, y, cell, k) - gap);
+    });
   });
   return algebra::max_over_ranks(most, comm);
 }
@@ -125,29 +141,54 @@ double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vecto
 std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& solution) {
   const fem::Space& space = discrete_.space();
   const MPI_Comm comm = space.layout->comm;
+  const double tolerance = negligible * length_scale(discrete_, solution.y);
   const algebra::Vector fixed = fixed_nodes(discrete_);
   const CellWeights weights(space, fixed);
-  const auto cells =
-      algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return depths_here(discrete_, solution.y, weights); });
+  const auto cells = algebra::in_agreement<obstacle::ObstacleError>(
+      comm, [&] { return least_gaps_here(discrete_, solution.y, tolerance, weights); });
   double deepest = 0;
-  for (const CellDepth& cell : cells) deepest = std::max(deepest, cell.depth);
+  for (const LeastGap& cell : cells) deepest = std::max(deepest, -cell.gap);
   deepest = algebra::max_over_ranks(deepest, comm);
-  if (deepest <= negligible * length_scale(discrete_, solution.y)) return {};
-  rounds_without_gain_ = deepest > gain * least_depth_ ? rounds_without_gain_ + 1 : 0;
-  least_depth_ = std::min(least_depth_, deepest);
-  if (rounds_ >= max_rounds || rounds_without_gain_ >= max_rounds_without_gain) return {};
-  ++rounds_;
+  const bool is_inside = deepest > tolerance;
+  if (rounds_ >= max_rounds) return {};
 
-  // Sums are over ranks, because a node on the border of two ranks has cells on both.
+  // Norms over a node's cells: of depths, or of the inverse gaps. Sums are over ranks, because a node on the border of two
+  // ranks has cells on both.
   algebra::Vector powers(space.layout, fixed.block());
   const auto block = static_cast<std::size_t>(fixed.block());
-  for (const CellDepth& cell : cells)
+  for (const LeastGap& cell : cells) {
+    const double part = is_inside ? std::max(0.0, -cell.gap) / deepest : tolerance / std::max(cell.gap, tolerance);
     for (const algebra::LocalIndex node : weights.nodes(cell.cell))
-      powers.local()[static_cast<std::size_t>(node) * block + cell.obstacle] += std::pow(cell.depth / deepest, order);
+      powers.local()[static_cast<std::size_t>(node) * block + cell.obstacle] += std::pow(part, order);
+  }
   powers.accumulate_ghosts();
   algebra::Vector lifts = discrete_.state.lifts;
-  for (std::size_t k = 0; k < lifts.owned().size(); ++k)
-    if (fixed.owned()[k] == 0) lifts.owned()[k] += deepest * std::pow(powers.owned()[k], 1.0 / order);
+  const auto norm = [&](std::size_t k) { return std::pow(powers.owned()[k], 1.0 / order); };
+  if (is_inside) {
+    rounds_without_gain_ = deepest > gain * least_depth_ ? rounds_without_gain_ + 1 : 0;
+    least_depth_ = std::min(least_depth_, deepest);
+    if (rounds_without_gain_ >= max_rounds_without_gain) return {};
+    bool is_coarse = false;
+    for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
+      if (fixed.owned()[k] == 0) lifts.owned()[k] += deepest * norm(k);
+      is_coarse = is_coarse || lifts.owned()[k] > most_of_thickness * discrete_.points[k / block].thickness;
+    }
+    if (algebra::sum_over_ranks(std::int64_t{is_coarse}, comm) > 0) return {};
+  } else {
+    bool is_lower = false;
+    const double notable = allowance * algebra::max_abs(lifts);
+    for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
+      double& lift = lifts.owned()[k];
+      const double excess = solution.touching.owned()[k] == 0 ? lift : std::min(lift, tolerance / norm(k));
+      if (excess <= std::max(allowance * lift, tolerance)) continue;
+      is_lower = is_lower || (excess > notable && solution.touching.owned()[k] != 0);
+      lift -= excess;
+    }
+    if (lowerings_ >= max_lowerings || algebra::sum_over_ranks(std::int64_t{is_lower}, comm) == 0) return {};
+    ++lowerings_;
+    least_depth_ = std::numeric_limits<double>::infinity();
+  }
+  ++rounds_;
   lifts.update_ghosts();
   return lifts;
 }

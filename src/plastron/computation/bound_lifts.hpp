@@ -1,6 +1,6 @@
 // Bounds of gaps at nodes, lifted until the shell is outside the obstacles also between its nodes
 // (docs/methods/admissible.md). The loop: solve, find the deepest place of every cell, lift the bounds of the cell's
-// nodes by that depth, solve again.
+// nodes by that depth, solve again; at the end lower the lifts that are too large.
 #pragma once
 #include <plastron/solution/nodal_solution.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace plastron::computation {
 
-/// The loop of one mesh at one instant. Lifts only increase in it.
+/// The loop of one mesh at one instant.
 class BoundLifts {
  public:
   explicit BoundLifts(const assembly::DiscreteShell& discrete) : discrete_(discrete) {}
@@ -21,7 +21,7 @@ class BoundLifts {
 
  private:
   const assembly::DiscreteShell& discrete_;
-  int rounds_ = 0, rounds_without_gain_ = 0;
+  int rounds_ = 0, rounds_without_gain_ = 0, lowerings_ = 0;
   double least_depth_ = std::numeric_limits<double>::infinity();
 };
 
