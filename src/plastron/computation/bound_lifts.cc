@@ -110,13 +110,14 @@ double length_scale(const assembly::DiscreteShell& discrete, const algebra::Vect
   return algebra::max_over_ranks(most, discrete.space().layout->comm);
 }
 
-/// Returns the least gap at the cell's nodes that have weight.
+/// Returns the least gap at the cell's nodes that have weight, less a part of their lifts.
 double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Vector& y, std::size_t cell,
-                      std::size_t obstacle) {
+                      std::size_t obstacle, double part = 0) {
   double least = std::numeric_limits<double>::infinity();
   for (const algebra::LocalIndex index : discrete.space().nodes(cell)) {
     const auto node = static_cast<std::size_t>(index);
-    if (discrete.points[node].weight > 0) least = std::min(least, discrete.nodal_gap(obstacle, node, y));
+    if (discrete.points[node].weight > 0)
+      least = std::min(least, discrete.nodal_gap(obstacle, node, y) - part * discrete.state.lift(node, obstacle));
   }
   return least;
 }
@@ -144,13 +145,24 @@ std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& s
   const double tolerance = negligible * length_scale(discrete_, solution.y);
   const algebra::Vector fixed = fixed_nodes(discrete_);
   const CellWeights weights(space, fixed);
-  const auto cells = algebra::in_agreement<obstacle::ObstacleError>(
+  auto cells = algebra::in_agreement<obstacle::ObstacleError>(
       comm, [&] { return least_gaps_here(discrete_, solution.y, tolerance, weights); });
   double deepest = 0;
   for (const LeastGap& cell : cells) deepest = std::max(deepest, -cell.gap);
   deepest = algebra::max_over_ranks(deepest, comm);
   const bool is_inside = deepest > tolerance;
   if (rounds_ >= max_rounds) return {};
+  rounds_without_gain_ = is_inside && deepest > gain * least_depth_ ? rounds_without_gain_ + 1 : 0;
+  least_depth_ = is_inside ? std::min(least_depth_, deepest) : std::numeric_limits<double>::infinity();
+  if (rounds_without_gain_ >= max_rounds_without_gain) return {};
+
+  // Where no node of a deep cell is at its bound, the bound of the nearest one rises to its gap first.
+  for (LeastGap& cell : cells) {
+    const double way = least_at_nodes(discrete_, solution.y, cell.cell, cell.obstacle, 1);
+    if (cell.gap < 0 && way > 0 && std::isfinite(way)) cell.gap -= way;
+    deepest = std::max(deepest, -cell.gap);
+  }
+  deepest = algebra::max_over_ranks(deepest, comm);
 
   // Norms over a node's cells: of depths, or of the inverse gaps. Sums are over ranks, because a node on the border of two
   // ranks has cells on both.
@@ -165,9 +177,6 @@ std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& s
   algebra::Vector lifts = discrete_.state.lifts;
   const auto norm = [&](std::size_t k) { return std::pow(powers.owned()[k], 1.0 / order); };
   if (is_inside) {
-    rounds_without_gain_ = deepest > gain * least_depth_ ? rounds_without_gain_ + 1 : 0;
-    least_depth_ = std::min(least_depth_, deepest);
-    if (rounds_without_gain_ >= max_rounds_without_gain) return {};
     bool is_coarse = false;
     for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
       if (fixed.owned()[k] == 0) lifts.owned()[k] += deepest * norm(k);
@@ -186,7 +195,6 @@ std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& s
     }
     if (lowerings_ >= max_lowerings || algebra::sum_over_ranks(std::int64_t{is_lower}, comm) == 0) return {};
     ++lowerings_;
-    least_depth_ = std::numeric_limits<double>::infinity();
   }
   ++rounds_;
   lifts.update_ghosts();
