@@ -421,7 +421,7 @@ TEST(RoundEdges, SmallerThanCellsAreAsFarFromNodesAsEstimatesSay) {
 }
 
 TEST(SharpEdges, NeedNoSmallCells) {
-  for (const int cells : {7, 10, 37, 40}) {
+  for (const int cells : {7, 10, 13, 15, 17, 22, 37, 40}) {
     const obstacle::Box box{.centre = {0.5, 0.5, -0.5}, .size = {1, 3, 1}};
     problem::Problem p = overhanging_strip(box, cells, 4, 1);
     p.accuracy = problem::Accuracy{.goals = {{"energy", 1e-3}, {"reaction", 1e-3}}, .max_unknowns = 1e4};

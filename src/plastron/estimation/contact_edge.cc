@@ -208,9 +208,11 @@ void ContactEdge::find_sharp_edges() {
           auto edges = sharp_edges(crossed_[c], k, d, i, j);
           if (edges.empty()) continue;
           at_sharp_edges_.push_back({c, k, node, std::move(edges)});
+          has_kinks_ = has_kinks_ || (i > 0 && i + 1 < n);
           cells.local()[entry] += 1;
         }
     }
+  has_kinks_ = algebra::sum_over_ranks(std::int64_t{has_kinks_}, space.layout->comm) > 0;
   cells.accumulate_ghosts();
   cells.update_ghosts();
   sharp_ = cells;

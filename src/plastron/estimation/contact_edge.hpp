@@ -45,6 +45,8 @@ class ContactEdge {
   /// For each crossed cell whose free nodes all touch: the mean place in [0, 1] along its direction across() between
   /// touching nodes and nodes that supports hold.
   const std::vector<std::optional<double>>& at_support() const { return at_support_; }
+  /// Whether a sharp edge of an obstacle bends the shell inside of a cell, along a line that no polynomial bends along (on any rank).
+  bool has_kinks() const { return has_kinks_; }
   /// Returns the shares for a dual solution. `y` are its Cartesian values (collective).
   EdgeShares shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y) const;
 
@@ -121,6 +123,7 @@ class ContactEdge {
   std::array<element::BasisAt, 2> between_{};  ///< points between nodes along either direction; empty in triangles
   algebra::Vector sharp_{};  ///< positive at lines and points of contact with sharp edges (block: obstacles)
   std::vector<AtSharpEdge> at_sharp_edges_{};
+  bool has_kinks_ = false;
   std::vector<Deepest> deepest_{};
 };
 

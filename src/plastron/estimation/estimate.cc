@@ -79,7 +79,8 @@ class GoalEstimator {
                         .unit = unit_of(goal.functional),
                         .value = d.value,
                         .cells = std::vector<double>(shell.space().owned_cells, 0),
-                        .tolerance = goal.tolerance};
+                        .tolerance = goal.tolerance,
+                        .has_kinks = edge_.has_kinks()};
     if (std::holds_alternative<Energy>(goal.functional)) {
       const double sign = solved_.discrete.has_finite_rotations() ? -1 : 1;
       add_energy_shares(shell, primal_, sign, result.cells);

@@ -28,6 +28,7 @@ struct GoalEstimate {
   std::optional<double> geometry_error{};    ///< error by the mesh of the mid-surface, where it is known
   std::optional<double> tolerance{};         ///< relative tolerance of a goal with a required accuracy
   double scale = 0;        ///< to which relative errors refer: |value|, or a part of what is summed where sums cancel
+  bool has_kinks = false;  ///< a sharp edge of an obstacle bends the shell inside of a cell
   double dual_energy = 0;  ///< 1/2 a(z, z): grows without bound under refinement if the functional is not bounded
   bool has_dual = true;    ///< false if the dual problem could not be solved; then the estimate lacks its part
 
