@@ -100,6 +100,7 @@ bool AccuracyLoop::may_grow_for_edges(const Level& level, std::int64_t added, co
 
 void AccuracyLoop::take_note(const Level& level, const fem::Space& space) {
   const Seconds& s = level.seconds;
+  has_lost_stiffness_ = has_lost_stiffness_ || level.has_lost_stiffness || level.has_jumped;
   seconds_to_come_ = instants_to_come_ * (s.total() - s.mesh - s.estimates - s.witness);
   excesses_.push_back(worst_excess());
   unknowns_.push_back(level.unknowns);
@@ -219,15 +220,17 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     excess_before_ = excess;
   }
   if (is_uniform_) entered_.clear();
-  next_ = meshing::next_mesh(problem_, space,
-                             {.goals = goals_,
-                              .estimates = estimates,
-                              .excess = is_slow() ? std::numeric_limits<double>::infinity() : excess,
-                              .follows_errors = follows_errors,
-                              .may_join = may_join_,
-                              .wants_edges = wants_edges_,
-                              .entered = entered_,
-                              .lacks_contact = lacks_contact_});
+  next_ = meshing::next_mesh(
+      problem_, space,
+      {.goals = goals_,
+       .estimates = estimates,
+       .excess = is_slow() ? std::numeric_limits<double>::infinity() : excess,
+       .follows_errors = follows_errors,
+       .may_join = may_join_,
+       .wants_edges = wants_edges_,
+       .entered = entered_,
+       .lacks_contact = lacks_contact_,
+       .most_slender = has_lost_stiffness_ ? constants.most_slender : std::numeric_limits<double>::infinity()});
   return next_.added_cells;
 }
 

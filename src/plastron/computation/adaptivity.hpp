@@ -29,10 +29,12 @@ class AccuracyLoop {
  public:
   /// The clock runs since the start of the computation. `instants_to_come` will be solved on the finest mesh; time is
   /// reserved for them.
-  AccuracyLoop(const problem::Problem& problem, const Stopwatch& since_start, int instants_to_come = 0)
+  AccuracyLoop(const problem::Problem& problem, const Stopwatch& since_start, int instants_to_come = 0,
+               bool has_lost_stiffness = false)
       : problem_(problem),
         since_start_(since_start),
         instants_to_come_(instants_to_come),
+        has_lost_stiffness_(has_lost_stiffness),
         is_uniform_(meshing::is_refined_evenly(problem)),
         may_join_(meshing::even_boundaries(problem).empty()) {}
 
@@ -89,6 +91,7 @@ class AccuracyLoop {
   const problem::Problem& problem_;
   const Stopwatch& since_start_;
   int instants_to_come_;
+  bool has_lost_stiffness_;
   bool is_uniform_;
   /// Whether cells may join. Joined cells may bring back unjudged cells, or errors as large as before.
   bool may_join_;

@@ -50,9 +50,10 @@ bool Meshes::reach_accuracy(const problem::Instant& instant) {
   Result& result = run_.result;
   const auto is_to_come = [&](const problem::Instant& other) { return other.factors.time > instant.factors.time; };
   const auto to_come = static_cast<int>(std::ranges::count_if(run_.instants, is_to_come));
-  AccuracyLoop loop(run_.problem, run_.since_start, to_come);
+  AccuracyLoop loop(run_.problem, run_.since_start, to_come, has_lost_stiffness_);
   for (;;) {
     if (loop.wants_witness(result, run_.latest(), space())) confirm(instant);
+    has_lost_stiffness_ = has_lost_stiffness_ || run_.latest().has_lost_stiffness || run_.latest().has_jumped;
     const bool wants_more = loop.wants_more(result, run_.latest(), space()) && (is_first || result.estimates);
     run_.end_of_meshes = loop.end_of_meshes();
     run_.latest().goals = loop.goals();

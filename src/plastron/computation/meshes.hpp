@@ -48,6 +48,7 @@ class Meshes {
   std::shared_ptr<const fem::Surface> surface_;
   std::vector<mesh::Cuts> cuts_{};    ///< cuts for the next mesh, where an accuracy is requested
   std::vector<signed char> marks_{};  ///< marks of cells for the next mesh, where there are no cuts
+  bool has_lost_stiffness_ = false;   ///< narrow cells may have motions there that lower the energy
   std::size_t judged_ = 0;            ///< number of meshes that were judged
   bool are_ahead_ = false;            ///< whether the clock stopped a mesh after the one of the solution at hand
 };

@@ -39,7 +39,7 @@ struct Constants {
   double alike_chords = 0.99;         ///< ratio above which worths are equal: rounding must not break a symmetry
   double edge_chord_cells = 2;  ///< edges run along chords if those have fewer cells [number of cells at the edges]
   double least_cut_part = 0.2;  ///< least part of a cell's side after a cut
-  double most_slender = 16;     ///< length of a part in steps with finite rotations [its width]
+  double most_slender = 16;     ///< length of a part where a motion has lost its stiffness [its width]
   double middle_part = 0.1;     ///< cuts nearer to the middle than this part halve the cell
   double straight_bend = 0.1;   ///< largest bend of a straight side [width of the cell]
   double largest_bend = 2;      ///< largest bend of a side after a cut, which patches can judge [width of the part]
