@@ -220,17 +220,16 @@ std::int64_t AccuracyLoop::mark(const fem::Space& space, const std::optional<est
     excess_before_ = excess;
   }
   if (is_uniform_) entered_.clear();
-  next_ = meshing::next_mesh(
-      problem_, space,
-      {.goals = goals_,
-       .estimates = estimates,
-       .excess = is_slow() ? std::numeric_limits<double>::infinity() : excess,
-       .follows_errors = follows_errors,
-       .may_join = may_join_,
-       .wants_edges = wants_edges_,
-       .entered = entered_,
-       .lacks_contact = lacks_contact_,
-       .most_slender = has_lost_stiffness_ ? constants.most_slender : std::numeric_limits<double>::infinity()});
+  next_ = meshing::next_mesh(problem_, space,
+                             {.goals = goals_,
+                              .estimates = estimates,
+                              .excess = is_slow() ? std::numeric_limits<double>::infinity() : excess,
+                              .follows_errors = follows_errors,
+                              .may_join = may_join_,
+                              .wants_edges = wants_edges_,
+                              .entered = entered_,
+                              .lacks_contact = lacks_contact_,
+                              .has_lost_stiffness = has_lost_stiffness_});
   return next_.added_cells;
 }
 

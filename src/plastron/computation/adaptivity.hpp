@@ -50,6 +50,8 @@ class AccuracyLoop {
   const std::vector<estimation::GoalRecord>& goals() const { return goals_; }
   /// Returns a text with the reasons why goals are not met; empty if they are met.
   const std::string& missed() const { return missed_; }
+  /// Whether some motion has lost its stiffness on a mesh of this loop, or before it.
+  bool has_lost_stiffness() const { return has_lost_stiffness_; }
   /// Ends the loop although another mesh is needed; `why` is added to missed().
   void give_up(const std::string& why);
   /// Time until which meshes may be computed, estimated from the last level [s since the start]: max_seconds minus the

@@ -122,6 +122,62 @@ double least_at_nodes(const assembly::DiscreteShell& discrete, const algebra::Ve
   return least;
 }
 
+/// Returns for each owned node and obstacle the norm of numbers of its cells, of this order (collective). Sums are over ranks, because
+/// a node on the border of two ranks has cells on both.
+template <class Number>
+algebra::Vector norms(const assembly::DiscreteShell& discrete, const std::vector<LeastGap>& cells,
+                      const CellWeights& weights, const Number& number) {
+  algebra::Vector sums(discrete.space().layout, discrete.state.lifts.block());
+  const auto block = static_cast<std::size_t>(sums.block());
+  for (const LeastGap& cell : cells)
+    for (const algebra::LocalIndex node : weights.nodes(cell.cell))
+      sums.local()[static_cast<std::size_t>(node) * block + cell.obstacle] += std::pow(number(cell.gap), order);
+  sums.accumulate_ghosts();
+  for (double& sum : sums.owned()) sum = std::pow(sum, 1.0 / order);
+  return sums;
+}
+
+/// Raises the lifts of free nodes by the depths of their cells. Returns whether the mesh is fine enough for them (collective).
+bool raise(const assembly::DiscreteShell& discrete, const algebra::Vector& y, std::vector<LeastGap> cells,
+           const CellWeights& weights, const algebra::Vector& fixed, algebra::Vector& lifts) {
+  const MPI_Comm comm = discrete.space().layout->comm;
+  double deepest = 0;
+  // Where no node of a deep cell is at its bound, the bound of the nearest one rises to its gap first.
+  for (LeastGap& cell : cells) {
+    const double way = least_at_nodes(discrete, y, cell.cell, cell.obstacle, 1);
+    if (cell.gap < 0 && way > 0 && std::isfinite(way)) cell.gap -= way;
+    deepest = std::max(deepest, -cell.gap);
+  }
+  deepest = algebra::max_over_ranks(deepest, comm);
+  const algebra::Vector depths =
+      norms(discrete, cells, weights, [&](double gap) { return std::max(0.0, -gap) / deepest; });
+  const auto block = static_cast<std::size_t>(lifts.block());
+  bool is_coarse = false;
+  for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
+    if (fixed.owned()[k] == 0) lifts.owned()[k] += deepest * depths.owned()[k];
+    is_coarse = is_coarse || lifts.owned()[k] > most_of_thickness * discrete.points[k / block].thickness;
+  }
+  return algebra::sum_over_ranks(std::int64_t{is_coarse}, comm) == 0;
+}
+
+/// Lowers the lifts that no depth needs. Returns whether this is worth another round (collective).
+bool lower(const assembly::DiscreteShell& discrete, const algebra::Vector& touching, const std::vector<LeastGap>& cells,
+           const CellWeights& weights, double tolerance, algebra::Vector& lifts) {
+  const algebra::Vector inverse_gaps =
+      norms(discrete, cells, weights, [&](double gap) { return tolerance / std::max(gap, tolerance); });
+  const double notable = allowance * algebra::max_abs(lifts);
+  bool is_lower = false;
+  for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
+    double& lift = lifts.owned()[k];
+    const bool touches = touching.owned()[k] != 0;
+    const double excess = touches ? std::min(lift, tolerance / inverse_gaps.owned()[k]) : lift;
+    if (excess <= std::max(allowance * lift, tolerance)) continue;
+    is_lower = is_lower || (excess > notable && touches);
+    lift -= excess;
+  }
+  return algebra::sum_over_ranks(std::int64_t{is_lower}, discrete.space().layout->comm) > 0;
+}
+
 }  // namespace
 
 double largest_dip(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
@@ -156,44 +212,12 @@ std::optional<algebra::Vector> BoundLifts::next(const solution::NodalSolution& s
   least_depth_ = is_inside ? std::min(least_depth_, deepest) : std::numeric_limits<double>::infinity();
   if (rounds_without_gain_ >= max_rounds_without_gain) return {};
 
-  // Where no node of a deep cell is at its bound, the bound of the nearest one rises to its gap first.
-  for (LeastGap& cell : cells) {
-    const double way = least_at_nodes(discrete_, solution.y, cell.cell, cell.obstacle, 1);
-    if (cell.gap < 0 && way > 0 && std::isfinite(way)) cell.gap -= way;
-    deepest = std::max(deepest, -cell.gap);
-  }
-  deepest = algebra::max_over_ranks(deepest, comm);
-
-  // Norms over a node's cells: of depths, or of the inverse gaps. Sums are over ranks, because a node on the border of two
-  // ranks has cells on both.
-  algebra::Vector powers(space.layout, fixed.block());
-  const auto block = static_cast<std::size_t>(fixed.block());
-  for (const LeastGap& cell : cells) {
-    const double part = is_inside ? std::max(0.0, -cell.gap) / deepest : tolerance / std::max(cell.gap, tolerance);
-    for (const algebra::LocalIndex node : weights.nodes(cell.cell))
-      powers.local()[static_cast<std::size_t>(node) * block + cell.obstacle] += std::pow(part, order);
-  }
-  powers.accumulate_ghosts();
   algebra::Vector lifts = discrete_.state.lifts;
-  const auto norm = [&](std::size_t k) { return std::pow(powers.owned()[k], 1.0 / order); };
   if (is_inside) {
-    bool is_coarse = false;
-    for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
-      if (fixed.owned()[k] == 0) lifts.owned()[k] += deepest * norm(k);
-      is_coarse = is_coarse || lifts.owned()[k] > most_of_thickness * discrete_.points[k / block].thickness;
-    }
-    if (algebra::sum_over_ranks(std::int64_t{is_coarse}, comm) > 0) return {};
+    if (!raise(discrete_, solution.y, std::move(cells), weights, fixed, lifts)) return {};
   } else {
-    bool is_lower = false;
-    const double notable = allowance * algebra::max_abs(lifts);
-    for (std::size_t k = 0; k < lifts.owned().size(); ++k) {
-      double& lift = lifts.owned()[k];
-      const double excess = solution.touching.owned()[k] == 0 ? lift : std::min(lift, tolerance / norm(k));
-      if (excess <= std::max(allowance * lift, tolerance)) continue;
-      is_lower = is_lower || (excess > notable && solution.touching.owned()[k] != 0);
-      lift -= excess;
-    }
-    if (lowerings_ >= max_lowerings || algebra::sum_over_ranks(std::int64_t{is_lower}, comm) == 0) return {};
+    if (!lower(discrete_, solution.touching, cells, weights, tolerance, lifts) || lowerings_ >= max_lowerings)
+      return {};
     ++lowerings_;
   }
   ++rounds_;

@@ -1,11 +1,14 @@
 #include <plastron/computation/contradiction.hpp>
 
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/finite/modes.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace plastron::computation {
@@ -38,6 +41,15 @@ Missing missing_at(const assembly::DiscreteShell& discrete, std::size_t node) {
   return most;
 }
 
+/// Whether a length is the rounding of gaps (collective).
+bool is_rounding(const assembly::DiscreteShell& discrete, double length) {
+  constexpr double negligible_part = 1e-9;
+  double largest = 0;
+  for (const assembly::ContactRow& row : discrete.coordinates.rows)
+    largest = std::max(largest, std::abs(row.bound_gap));
+  return length < negligible_part * algebra::max_over_ranks(largest, discrete.space().layout->comm);
+}
+
 std::string text_of_place(const assembly::DiscreteShell& discrete, const Eigen::Vector2d& x) {
   const fem::Surface& surface = discrete.shell.surface();
   return surface.has_directors() ? fem::place_text(surface, x) : fmt::format("x = {:.4g}, y = {:.4g}", x[0], x[1]);
@@ -56,11 +68,11 @@ std::string contradiction_text(const assembly::DiscreteShell& discrete) {
   if (most[0] == 0) return {};
   const auto name = [&](double k) { return discrete.obstacles_at_start.all[static_cast<std::size_t>(k)].text(); };
   const std::string place = text_of_place(discrete, {most[3], most[4]});
-  constexpr double rounding = 1e-9;  // of the length that obstacles have moved or stood away
-  double farthest = 0;
-  for (const assembly::ContactRow& row : discrete.coordinates.rows)
-    farthest = std::max(farthest, std::abs(row.bound_gap));
-  if (most[2] >= 0 && most[0] < rounding * algebra::max_over_ranks(farthest, discrete.space().layout->comm))
+  const std::vector<std::size_t> pressed = assembly::pressed_obstacles(discrete);
+  const auto is_pressed = [&](double k) {
+    return std::ranges::any_of(pressed, [k](std::size_t other) { return static_cast<double>(other) == k; });
+  };
+  if (is_pressed(most[1]) && is_pressed(most[2]) && is_rounding(discrete, most[0]))
     return fmt::format("Forces press {} and {} from both sides onto the shell at {}; hold one of them", name(most[1]),
                        name(most[2]), place);
   return most[2] < 0

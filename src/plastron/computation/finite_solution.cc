@@ -1,5 +1,6 @@
 #include <plastron/computation/finite_solution.hpp>
 
+#include <plastron/computation/relinearisation.hpp>
 #include <plastron/finite/modes.hpp>
 #include <plastron/obstacle/error.hpp>
 
@@ -37,13 +38,6 @@ constexpr double far_beyond = 3, large_part = 0.2;
 double largest_way(algebra::Vector before, const algebra::Vector& now) {
   algebra::axpy(-1, now, before);
   return solution::largest_displacement(before);
-}
-
-/// Least thickness at nodes (collective) [m].
-double least_thickness(const assembly::DiscreteShell& discrete) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const assembly::NodalPoint& point : discrete.points) least = std::min(least, point.thickness);
-  return algebra::min_over_ranks(least, discrete.space().layout->comm);
 }
 
 /// Whether a short step has ended in a shell without strain: what follows is rounding, however large beside displacements that are
@@ -189,18 +183,20 @@ void lengthen(assembly::DiscreteShell& discrete, const assembly::State& before, 
 }
 
 /// Goes back from the state of the shell towards `before`, half as far each time, until the potential is below `merit`: a step that is
-/// too long for the stiffness at its beginning still points downwards. May end above (collective).
-void shorten(assembly::DiscreteShell& discrete, const assembly::State& before, double merit, double weight) {
+/// too long for the stiffness at its beginning still points downwards. Returns the potential, which may end above (collective).
+double shorten(assembly::DiscreteShell& discrete, const assembly::State& before, double merit, double weight) {
   constexpr int most_halvings = 4;
   algebra::Vector half = discrete.state.displacement;
   algebra::axpy(-1, before.displacement, half);
-  for (int i = 0; i < most_halvings; ++i) {
+  double potential = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < most_halvings && !(potential < merit); ++i) {
     for (double& value : half.local()) value /= 2;
     assembly::State nearer = discrete.state;
     algebra::axpy(-1, half, nearer.displacement);
     nearer.displacement.update_ghosts();
-    if (potential_at(discrete, std::move(nearer), weight) < merit) return;
+    potential = potential_at(discrete, std::move(nearer), weight);
   }
+  return potential;
 }
 
 /// Descends from the state of the shell towards a local minimum of the potential: Newton steps with the stresses of the state and
@@ -226,8 +222,9 @@ std::optional<finite::StepStart> descended(LevelRun& run) {
     weight = std::max(weight, 2 * finite::largest_reaction(discrete, step));
     const double merit = finite::potential(discrete, weight);
     linearise(discrete, finite::next_state(discrete, start, step));
-    if (!(finite::potential(discrete, weight) < merit)) shorten(discrete, before, merit, weight);
-    if (finite::potential(discrete, weight) < merit) {
+    double potential = finite::potential(discrete, weight);
+    if (!(potential < merit)) potential = shorten(discrete, before, merit, weight);
+    if (potential < merit) {
       lengthen(discrete, before, weight);
       has_descended = true;
       zone = std::move(step.next.zone);

@@ -53,7 +53,6 @@ bool Meshes::reach_accuracy(const problem::Instant& instant) {
   AccuracyLoop loop(run_.problem, run_.since_start, to_come, has_lost_stiffness_);
   for (;;) {
     if (loop.wants_witness(result, run_.latest(), space())) confirm(instant);
-    has_lost_stiffness_ = has_lost_stiffness_ || run_.latest().has_lost_stiffness || run_.latest().has_jumped;
     const bool wants_more = loop.wants_more(result, run_.latest(), space()) && (is_first || result.estimates);
     run_.end_of_meshes = loop.end_of_meshes();
     run_.latest().goals = loop.goals();
@@ -74,6 +73,7 @@ bool Meshes::reach_accuracy(const problem::Instant& instant) {
   }
   run_.end_of_meshes = std::numeric_limits<double>::infinity();
   run_.missed_accuracy = loop.missed();
+  has_lost_stiffness_ = loop.has_lost_stiffness();
   return true;
 }
 

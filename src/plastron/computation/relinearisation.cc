@@ -100,15 +100,18 @@ GapError gap_error(const assembly::DiscreteShell& discrete, const solution::Noda
   return {algebra::max_over_ranks(mine.at_contact, comm), algebra::max_over_ranks(mine.depth, comm)};
 }
 
+double least_thickness(const assembly::DiscreteShell& discrete) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const assembly::NodalPoint& point : discrete.points) least = std::min(least, point.thickness);
+  return algebra::min_over_ranks(least, discrete.space().layout->comm);
+}
+
 Nearness nearness(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete,
                   const solution::NodalSolution& solution) {
-  double thickness = std::numeric_limits<double>::infinity();
-  for (const assembly::NodalPoint& point : discrete.points) thickness = std::min(thickness, point.thickness);
-  thickness = algebra::min_over_ranks(thickness, discrete.space().layout->comm);
   return {.distance = distance_from_state(discrete, solution),
           .depth = gap_error(discrete, solution).depth,
           .negligible = std::max(settings.tolerance * solution::largest_displacement(solution.y),
-                                 assembly::gap_rounding * thickness)};
+                                 assembly::gap_rounding * least_thickness(discrete))};
 }
 
 Relinearisation::Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete)

@@ -31,6 +31,9 @@ struct Nearness {
 
   bool is_met() const { return distance <= negligible && depth <= negligible; }
 };
+/// Least thickness at nodes (collective) [m].
+double least_thickness(const assembly::DiscreteShell& discrete);
+
 /// Computes the nearness (collective).
 Nearness nearness(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete,
                   const solution::NodalSolution& solution);

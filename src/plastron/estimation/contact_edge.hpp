@@ -45,7 +45,7 @@ class ContactEdge {
   /// For each crossed cell whose free nodes all touch: the mean place in [0, 1] along its direction across() between
   /// touching nodes and nodes that supports hold.
   const std::vector<std::optional<double>>& at_support() const { return at_support_; }
-  /// Whether a sharp edge of an obstacle bends the shell inside of a cell, along a line that no polynomial bends along (on any rank).
+  /// Whether the reaction of a sharp edge of an obstacle acts inside of a cell of any rank: polynomials have no kink there.
   bool has_kinks() const { return has_kinks_; }
   /// Returns the shares for a dual solution. `y` are its Cartesian values (collective).
   EdgeShares shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y) const;

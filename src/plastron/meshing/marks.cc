@@ -75,6 +75,11 @@ std::vector<signed char> marks_by_errors(const fem::Space& space, const NextMesh
   return all;
 }
 
+/// Returns the largest ratio of length and width that cuts leave.
+double most_slender(const NextMeshTask& task) {
+  return task.has_lost_stiffness ? constants.most_slender : std::numeric_limits<double>::infinity();
+}
+
 /// Returns cuts, if they are better than the division of the marked cells.
 std::vector<mesh::Cuts> cuts_by_errors(const problem::Problem& problem, const fem::Space& space,
                                        const NextMeshTask& task, const std::vector<signed char>& marks) {
@@ -100,16 +105,16 @@ std::vector<mesh::Cuts> cuts_by_errors(const problem::Problem& problem, const fe
                      .halves_only = std::ranges::any_of(problem.shell.supports, is_held_at_point),
                      .are_met = std::ranges::all_of(task.goals, &estimation::GoalRecord::is_met),
                      .at_edges = task.wants_edges,
-                     .most_slender = task.most_slender});
+                     .most_slender = most_slender(task)});
 }
 
 /// Returns cuts through the marked cells, if they are better than the division of these cells.
 std::vector<mesh::Cuts> cuts_of_marked(const problem::Problem& problem, const fem::Space& space,
-                                       const std::vector<signed char>& marks, double most_slender) {
+                                       const std::vector<signed char>& marks, double slender) {
   std::vector<std::size_t> cells;
   for (std::size_t c = 0; c < marks.size(); ++c)
     if (marks[c] > 0) cells.push_back(c);
-  return cuts_through(space, fem::Surface(space.coarse, problem.charts), cells, most_slender);
+  return cuts_through(space, fem::Surface(space.coarse, problem.charts), cells, slender);
 }
 
 /// Number of cells of all ranks with this mark (collective).
@@ -134,7 +139,7 @@ NextMesh next_mesh(const problem::Problem& problem, const fem::Space& space, con
         task.lacks_contact || !task.estimates || estimation::shortfall(task.goals, *task.estimates).empty();
     if (is_only_reason) next.marks.assign(space.owned_cells, 0);
     for (const std::size_t cell : task.entered) next.marks[cell] = 1;
-    if (is_only_reason && even.empty()) next.cuts = cuts_of_marked(problem, space, next.marks, task.most_slender);
+    if (is_only_reason && even.empty()) next.cuts = cuts_of_marked(problem, space, next.marks, most_slender(task));
   }
   fem::mark_evenly(space, even, next.marks);
   for (std::size_t c = 0; c < next.marks.size(); ++c)

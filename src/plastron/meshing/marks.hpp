@@ -9,7 +9,6 @@
 #include <mpi.h>
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,7 +43,7 @@ struct NextMeshTask {
   bool wants_edges = false;                ///< only cells at edges of contact zones are divided or cut
   std::span<const std::size_t> entered{};  ///< owned cells that an obstacle enters between their nodes
   bool lacks_contact = false;              ///< the shell has missed an obstacle: errors are those of another state
-  double most_slender = std::numeric_limits<double>::infinity();  ///< length over width of a cell that is cut, at most
+  bool has_lost_stiffness = false;         ///< some motion has lost its stiffness: cuts leave no slender cells
 };
 
 struct NextMesh {
