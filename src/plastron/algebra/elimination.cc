@@ -32,7 +32,7 @@ struct Vertex {
 };
 
 /// Returns the nodes in the given order, then the unknowns that come last.
-std::vector<Vertex> vertices_of(const Matrix::Storage& A, const std::vector<int>& nodes, std::span<const char> last) {
+std::vector<Vertex> vertices_of(const MatrixStorage& A, const std::vector<int>& nodes, std::span<const char> last) {
   const auto m = static_cast<std::size_t>(A.block);
   std::vector<Vertex> vertices, at_end;
   for (const int node : nodes) {
@@ -68,7 +68,7 @@ struct VerticesOfNodes {
 
 /// Calls edge(i, j), i < j, for each pair of coupled vertices. The last `chain` vertices become one chain.
 template <class Edge>
-void for_edges(const Matrix::Storage& A, const VerticesOfNodes& vertices, int count, int chain, const Edge& edge) {
+void for_edges(const MatrixStorage& A, const VerticesOfNodes& vertices, int count, int chain, const Edge& edge) {
   for (LocalIndex row = 0; row < A.wide->owned; ++row)
     for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k)
       for (const int i : vertices.of(static_cast<std::size_t>(row)))
@@ -78,7 +78,7 @@ void for_edges(const Matrix::Storage& A, const VerticesOfNodes& vertices, int co
 }
 
 /// Returns the pattern above the diagonal, compressed by columns.
-SparsePointer upper_pattern(const Matrix::Storage& A, const std::vector<Vertex>& order, int chain,
+SparsePointer upper_pattern(const MatrixStorage& A, const std::vector<Vertex>& order, int chain,
                             cholmod_common& common) {
   const VerticesOfNodes vertices(order, static_cast<std::size_t>(A.block), A.global.size());
   const int count = static_cast<int>(order.size());
@@ -96,7 +96,7 @@ SparsePointer upper_pattern(const Matrix::Storage& A, const std::vector<Vertex>&
 }
 
 /// Returns the nodes in an order with little fill-in.
-std::vector<int> order_of_nodes(const Matrix::Storage& A, cholmod_common& common) {
+std::vector<int> order_of_nodes(const MatrixStorage& A, cholmod_common& common) {
   std::vector<int> nodes(A.global.size());
   std::iota(nodes.begin(), nodes.end(), 0);
   const auto pattern = upper_pattern(A, vertices_of(A, nodes, {}), 0, common);
@@ -111,7 +111,7 @@ std::vector<int> order_of_nodes(const Matrix::Storage& A, cholmod_common& common
 
 /// Reorders the same elimination: each column is directly before the columns that depend on it, where possible. The
 /// last column stays.
-void postorder(const Matrix::Storage& A, int chain, std::vector<Vertex>& order, cholmod_common& common) {
+void postorder(const MatrixStorage& A, int chain, std::vector<Vertex>& order, cholmod_common& common) {
   const auto pattern = upper_pattern(A, order, chain, common);
   std::vector<int> parent(order.size()), post(order.size());
   cholmod_etree(pattern.get(), parent.data(), &common);
@@ -124,7 +124,7 @@ void postorder(const Matrix::Storage& A, int chain, std::vector<Vertex>& order, 
 }
 
 /// Returns CHOLMOD's analysis of the vertices. Columns are merged according to their number of unknowns.
-cholmod_factor* analyse(const Matrix::Storage& A, const std::vector<Vertex>& order, int chain, cholmod_common& common) {
+cholmod_factor* analyse(const MatrixStorage& A, const std::vector<Vertex>& order, int chain, cholmod_common& common) {
   const auto pattern = upper_pattern(A, order, chain, common);
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_NATURAL;
@@ -238,7 +238,7 @@ FactorisationCost cost_of(const cholmod_factor& L) {
   return cost;
 }
 
-std::vector<int> places(const Matrix::Storage& A, const std::vector<Vertex>& order, std::span<const char> last) {
+std::vector<int> places(const MatrixStorage& A, const std::vector<Vertex>& order, std::span<const char> last) {
   std::vector<int> place(A.owned_unknowns());
   int next = 0;
   for (const Vertex& v : order) {
@@ -258,7 +258,7 @@ void cholmod_check(const cholmod_common& common, const char* doing) {
                              std::to_string(common.status));
 }
 
-Elimination eliminate(const Matrix::Storage& A, std::span<const char> last, cholmod_common& common,
+Elimination eliminate(const MatrixStorage& A, std::span<const char> last, cholmod_common& common,
                       cholmod_factor*& factor) {
   auto order = vertices_of(A, order_of_nodes(A, common), last);
   const auto at_end = static_cast<int>(std::ranges::count_if(last, [](char mark) { return mark != 0; }));

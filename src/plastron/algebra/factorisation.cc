@@ -12,9 +12,9 @@ namespace plastron::algebra {
 
 /// One of the two factors, depending on the number of ranks.
 struct Factorisation::Storage {
-  explicit Storage(const Matrix::Storage& matrix) : A(matrix) {}
+  explicit Storage(const MatrixStorage& matrix) : A(matrix) {}
 
-  const Matrix::Storage& A;
+  const MatrixStorage& A;
   std::unique_ptr<SupernodalFactor> alone{};
   std::unique_ptr<MumpsFactor> together{};
   bool ready = false;
@@ -76,12 +76,6 @@ std::vector<char> Factorisation::nearest_fixed(std::span<const char> wanted) con
 // Memory access takes time, hence weights of an entry. The unit is an operation of a factorisation by one thread. The
 // weights give the time of one entry of the factor besides its operations, and in a solve
 // (benchmarks/step_cost; docs/performance.md).
-Price price_of(const FactorisationCost& cost) {
-  constexpr double per_entry_made = 300, per_entry_solved = 65;
-  return {.fix = cost.operations / threads_for(cost.operations) + per_entry_made * cost.entries,
-          .apply = per_entry_solved * cost.entries};
-}
-
 SoftestMotion Factorisation::softest_motion(const Operator& operate, std::span<const char> fixed,
                                             const Vector& diagonal) const {
   const Operator inverse = [this](const Vector& r, Vector& z) { solve(r, z); };

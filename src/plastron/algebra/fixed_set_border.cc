@@ -99,8 +99,7 @@ void TailComplement::solve(std::span<double> columns) const {
             columns.data(), &n);
 }
 
-std::vector<SparseVector> matrix_columns(const Matrix::Storage& A, double shift,
-                                         std::span<const std::size_t> unknowns) {
+std::vector<SparseVector> matrix_columns(const MatrixStorage& A, double shift, std::span<const std::size_t> unknowns) {
   const auto m = static_cast<std::size_t>(A.block);
   std::vector<SparseVector> columns(unknowns.size());
   std::unordered_multimap<std::size_t, std::size_t> of_node;

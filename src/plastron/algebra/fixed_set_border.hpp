@@ -60,7 +60,7 @@ struct BorderColumn {
 };
 
 /// Returns columns of the matrix A + shift diag(A) of one rank.
-std::vector<SparseVector> matrix_columns(const Matrix::Storage& A, double shift, std::span<const std::size_t> unknowns);
+std::vector<SparseVector> matrix_columns(const MatrixStorage& A, double shift, std::span<const std::size_t> unknowns);
 
 /// Returns L^{-1} w for the factor L by supernodes. `work` must be zero everywhere, and is zero again afterwards.
 SparseVector lower_solve(const cholmod_factor& L, const SparseVector& w, std::span<double> work);
@@ -72,7 +72,7 @@ class BorderColumns {
   BorderColumns() = default;
   /// Makes columns for a factor of A + shift diag(A) that fixes unknowns where `fixed_in_factor` is not 0. `place` is
   /// the place of each unknown in the factor. All arguments must outlive this object.
-  BorderColumns(const Matrix::Storage& A, double shift, const cholmod_factor& L, std::span<const int> place,
+  BorderColumns(const MatrixStorage& A, double shift, const cholmod_factor& L, std::span<const int> place,
                 std::span<const double> fixed_in_factor)
       : A_(&A), shift_(shift), L_(&L), place_(place), fixed_in_factor_(fixed_in_factor) {}
 
@@ -86,7 +86,7 @@ class BorderColumns {
   void make(std::size_t unknown, SparseVector w);
   SparseVector answer(const SparseVector& w);
 
-  const Matrix::Storage* A_ = nullptr;
+  const MatrixStorage* A_ = nullptr;
   double shift_ = 0;
   const cholmod_factor* L_ = nullptr;
   std::span<const int> place_{};

@@ -16,7 +16,7 @@ namespace {
 // Computes y = sum over the stored blocks B of B x and, off the diagonal, of the mirrored product. `map` is applied to
 // all factors.
 template <class Map>
-void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map map) {
+void multiply_mapped(const MatrixStorage& A, const Vector& x, Vector& y, Map map) {
   PLASTRON_ASSERT(&x != &y, &x, &y);
   PLASTRON_ASSERT(x.block() == A.block && y.block() == A.block, x.block(), y.block(), A.block);
   PLASTRON_ASSERT(x.owned().size() == A.owned_unknowns() && y.owned().size() == A.owned_unknowns(), x.owned().size(),
@@ -45,7 +45,7 @@ void multiply_mapped(const Matrix::Storage& A, const Vector& x, Vector& y, Map m
   std::copy_n(v.begin(), owned, y.owned().begin());
 }
 
-void check_element(const Matrix::Storage& A, std::span<const LocalIndex> nodes, std::size_t values) {
+void check_element(const MatrixStorage& A, std::span<const LocalIndex> nodes, std::size_t values) {
   const std::size_t width = nodes.size() * static_cast<std::size_t>(A.block);
   if (values != width * width)
     throw std::invalid_argument(fmt::format("an element matrix of {} nodes and {} values a node has {} entries, not {}",
@@ -57,7 +57,7 @@ void check_element(const Matrix::Storage& A, std::span<const LocalIndex> nodes, 
 
 }  // namespace
 
-std::size_t Matrix::Storage::find(LocalIndex row, GlobalIndex column_global) const {
+std::size_t MatrixStorage::find(LocalIndex row, GlobalIndex column_global) const {
   const auto begin = column.begin() + static_cast<std::ptrdiff_t>(row_begin(row));
   const auto end = column.begin() + static_cast<std::ptrdiff_t>(row_end(row));
   const auto found = std::lower_bound(begin, end, column_global, [&](LocalIndex node, GlobalIndex wanted) {
@@ -72,7 +72,7 @@ std::size_t Matrix::Storage::find(LocalIndex row, GlobalIndex column_global) con
 }
 
 Matrix::Matrix(std::shared_ptr<const Layout> layout, int block, const Connectivity& elements)
-    : storage_(std::make_unique<Storage>()) {
+    : storage_(std::make_unique<MatrixStorage>()) {
   PLASTRON_ASSERT(layout && block > 0, layout.get(), block);
   storage_->layout = std::move(layout);
   storage_->block = block;
@@ -80,13 +80,13 @@ Matrix::Matrix(std::shared_ptr<const Layout> layout, int block, const Connectivi
   storage_->values.assign(storage_->column.size() * storage_->block_area(), 0.0);
 }
 
-Matrix::Matrix(std::unique_ptr<Storage> storage) : storage_(std::move(storage)) {}
+Matrix::Matrix(std::unique_ptr<MatrixStorage> storage) : storage_(std::move(storage)) {}
 Matrix::Matrix(Matrix&&) noexcept = default;
 Matrix& Matrix::operator=(Matrix&&) noexcept = default;
 Matrix::~Matrix() = default;
 
 void Matrix::add(std::span<const LocalIndex> nodes, std::span<const double> values) {
-  Storage& A = *storage_;
+  MatrixStorage& A = *storage_;
   check_element(A, nodes, values.size());
   const auto m = static_cast<std::size_t>(A.block);
   const std::size_t width = nodes.size() * m;
@@ -104,7 +104,7 @@ void Matrix::add(std::span<const LocalIndex> nodes, std::span<const double> valu
 }
 
 void Matrix::finish() {
-  Storage& A = *storage_;
+  MatrixStorage& A = *storage_;
   const std::size_t area = A.block_area();
   double* of_ghosts = A.block_at(A.row_begin(A.wide->owned));
   std::vector<double> in(A.incoming.total() * area);
@@ -120,12 +120,12 @@ void Matrix::finish() {
 void Matrix::set_zero() { std::ranges::fill(storage_->values, 0.0); }
 
 Matrix Matrix::plus_multiple(double factor, const Matrix& B) const {
-  const Storage &A = *storage_, &other = *B.storage_;
+  const MatrixStorage &A = *storage_, &other = *B.storage_;
   in_agreement(A.layout->comm, [&] {
     if (A.column != other.column || A.row_start != other.row_start || A.block != other.block)
       throw std::invalid_argument("matrices of different patterns cannot be added");
   });
-  auto sum = std::make_unique<Storage>(A);
+  auto sum = std::make_unique<MatrixStorage>(A);
   for (std::size_t k = 0; k < sum->values.size(); ++k) sum->values[k] += factor * other.values[k];
   return Matrix(std::move(sum));
 }
@@ -139,7 +139,7 @@ void Matrix::multiply_absolute(const Vector& x, Vector& y) const {
 }
 
 Vector Matrix::diagonal() const {
-  const Storage& A = *storage_;
+  const MatrixStorage& A = *storage_;
   Vector d(A.layout, A.block);
   const auto values = d.owned();
   const auto m = static_cast<std::size_t>(A.block);

@@ -2,6 +2,7 @@
 // the diagonal (in global numbering) are stored: half the memory and half the time to add. A factorisation needs no
 // more.
 #pragma once
+#include <plastron/algebra/connectivity.hpp>
 #include <plastron/algebra/layout.hpp>
 #include <plastron/algebra/vector.hpp>
 
@@ -11,22 +12,7 @@
 
 namespace plastron::algebra {
 
-/// The node lists of elements (local node indices), element by element.
-struct Connectivity {
-  int nodes_per_element = 0;  ///< unless `start` gives other numbers
-  std::vector<LocalIndex> nodes{};
-  std::vector<std::size_t>
-      start{};  ///< first entry of each element, then the end; empty if all elements have the same number of nodes
-  std::size_t elements() const {
-    if (!start.empty()) return start.size() - 1;
-    return nodes_per_element ? nodes.size() / static_cast<std::size_t>(nodes_per_element) : 0;
-  }
-  std::span<const LocalIndex> element(std::size_t e) const {
-    if (!start.empty()) return {nodes.data() + start[e], start[e + 1] - start[e]};
-    return {nodes.data() + e * static_cast<std::size_t>(nodes_per_element),
-            static_cast<std::size_t>(nodes_per_element)};
-  }
-};
+struct MatrixStorage;
 
 class Matrix {
  public:
@@ -58,12 +44,11 @@ class Matrix {
   int block() const;
   std::int64_t nonzeros() const;  ///< entries of the whole symmetric pattern, over all ranks (collective)
 
-  struct Storage;
-  const Storage& storage() const { return *storage_; }
+  const MatrixStorage& storage() const { return *storage_; }
 
  private:
-  explicit Matrix(std::unique_ptr<Storage> storage);
-  std::unique_ptr<Storage> storage_;
+  explicit Matrix(std::unique_ptr<MatrixStorage> storage);
+  std::unique_ptr<MatrixStorage> storage_;
 };
 
 }  // namespace plastron::algebra

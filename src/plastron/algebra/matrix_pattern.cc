@@ -93,7 +93,7 @@ ItemsOfNeighbours blocks_of_ghosts(const Layout& layout, const Rows& rows) {
 
 // Sends the places of the blocks in rows of ghosts to their owners, and sets A's shipments. Returns the received
 // places, ordered by neighbour (collective).
-std::vector<Coupling> ship_places(Matrix::Storage& A, const Rows& rows) {
+std::vector<Coupling> ship_places(MatrixStorage& A, const Rows& rows) {
   const Layout& layout = *A.layout;
   A.outgoing = blocks_of_ghosts(layout, rows);
   A.incoming = layout.exchange().announced(A.outgoing);
@@ -122,7 +122,7 @@ std::shared_ptr<const Layout> widened(const std::shared_ptr<const Layout>& layou
 }
 
 // Sorts columns from `begin` on in ascending global order, and removes duplicates.
-void order_columns(const Matrix::Storage& A, std::size_t begin, std::vector<LocalIndex>& columns) {
+void order_columns(const MatrixStorage& A, std::size_t begin, std::vector<LocalIndex>& columns) {
   const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin);
   std::sort(first, columns.end(), [&](LocalIndex a, LocalIndex b) {
     return A.global[static_cast<std::size_t>(a)] < A.global[static_cast<std::size_t>(b)];
@@ -131,7 +131,7 @@ void order_columns(const Matrix::Storage& A, std::size_t begin, std::vector<Loca
 }
 
 // Returns the rows over the nodes of `wide`: rows of this rank's elements, and for owned rows also the received places.
-Rows joined_rows(const Matrix::Storage& A, const Rows& rows, std::vector<Coupling> received) {
+Rows joined_rows(const MatrixStorage& A, const Rows& rows, std::vector<Coupling> received) {
   std::ranges::sort(received);
   auto next = received.cbegin();
   Rows joined;
@@ -152,7 +152,7 @@ Rows joined_rows(const Matrix::Storage& A, const Rows& rows, std::vector<Couplin
 
 }  // namespace
 
-void build_pattern(Matrix::Storage& A, const Connectivity& elements) {
+void build_pattern(MatrixStorage& A, const Connectivity& elements) {
   in_agreement(A.layout->comm, [&] { check_nodes(elements, A.layout->local_size()); });
   Rows rows = rows_of_elements(*A.layout, elements);
   const std::vector<Coupling> received = ship_places(A, rows);

@@ -1,6 +1,7 @@
 // The data of a Matrix. For matrix*.cc and factorisation*.cc only.
 #pragma once
-#include <plastron/algebra/matrix.hpp>
+#include <plastron/algebra/connectivity.hpp>
+#include <plastron/algebra/layout.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -11,7 +12,7 @@ namespace plastron::algebra {
 /// Compressed rows of blocks. The rows of ghosts are last and collect the values for their owners. In each row the
 /// columns ascend in global numbering. No column is below the row, since lower blocks are not stored. An owned row
 /// begins with its diagonal.
-struct Matrix::Storage {
+struct MatrixStorage {
   std::shared_ptr<const Layout> layout{};  ///< layout of the vectors and of the elements' nodes
   /// The same owned nodes, with every column of owned rows as a ghost. It is `layout` itself where that is sufficient
   /// on every rank.
@@ -45,6 +46,6 @@ struct Matrix::Storage {
 };
 
 /// Gives A (layout and block set) its pattern (collective).
-void build_pattern(Matrix::Storage& A, const Connectivity& elements);
+void build_pattern(MatrixStorage& A, const Connectivity& elements);
 
 }  // namespace plastron::algebra

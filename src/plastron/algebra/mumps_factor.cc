@@ -45,7 +45,7 @@ void declare_positive_definite(Mat mat) {
 
 }  // namespace
 
-std::vector<double> fixed_diagonal(const Matrix::Storage& A, std::span<const char> fixed) {
+std::vector<double> fixed_diagonal(const MatrixStorage& A, std::span<const char> fixed) {
   const auto m = static_cast<std::size_t>(A.block);
   const auto owned = static_cast<std::size_t>(A.layout->owned) * m;
   in_agreement(A.layout->comm, [&] {
@@ -65,7 +65,7 @@ std::vector<double> fixed_diagonal(const Matrix::Storage& A, std::span<const cha
   return result;
 }
 
-PetscMatrix::PetscMatrix(const Matrix::Storage& A) {
+PetscMatrix::PetscMatrix(const MatrixStorage& A) {
   const GlobalIndex unknowns = A.layout->global_size * A.block;
   if (unknowns > std::numeric_limits<PetscInt>::max())
     throw std::runtime_error("more unknowns than PETSc's 32-bit indices can number");
@@ -75,7 +75,7 @@ PetscMatrix::PetscMatrix(const Matrix::Storage& A) {
 
 PetscMatrix::~PetscMatrix() { MatDestroy(&mat_); }
 
-void PetscMatrix::create(const Matrix::Storage& A) {
+void PetscMatrix::create(const MatrixStorage& A) {
   const LocalIndex owned = A.layout->owned;
   std::vector<PetscInt> blocks_here(static_cast<std::size_t>(owned), 0);
   std::vector<PetscInt> blocks_elsewhere = blocks_here;
@@ -90,13 +90,13 @@ void PetscMatrix::create(const Matrix::Storage& A) {
   fill_rows(A);  // for PETSc the pattern exists only once it has values
 }
 
-void PetscMatrix::fill(const Matrix::Storage& A, std::vector<double> fixed_diagonal, double shift) {
+void PetscMatrix::fill(const MatrixStorage& A, std::vector<double> fixed_diagonal, double shift) {
   diagonal_factor_ = 1 + shift;
   fixed_diagonal_ = std::move(fixed_diagonal);
   fill_rows(A);
 }
 
-void PetscMatrix::fill_rows(const Matrix::Storage& A) {
+void PetscMatrix::fill_rows(const MatrixStorage& A) {
   const auto m = static_cast<std::size_t>(A.block);
   if (fixed_diagonal_.empty()) fixed_diagonal_.assign(A.global.size() * m, 0.0);
   std::vector<PetscInt> columns;
@@ -136,7 +136,7 @@ void PetscMatrix::replace_fixed(std::size_t row, std::size_t column, std::size_t
     }
 }
 
-MumpsFactor::MumpsFactor(const Matrix::Storage& A)
+MumpsFactor::MumpsFactor(const MatrixStorage& A)
     : A_(A), copy_(A), right_(*A.layout, A.block), solution_(*A.layout, A.block) {
   petsc_check(MatFactorInfoInitialize(&info_), "preparing a factorisation");
   analyse();

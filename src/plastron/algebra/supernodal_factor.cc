@@ -18,8 +18,8 @@ std::size_t most_new_columns(const FactorisationCost& cost) {
 
 /// Calls take(row, column, value) for all entries, with their places in the lower half.
 template <class Take>
-void for_entries(const Matrix::Storage& A, const std::vector<int>& place, const std::vector<double>& fixed,
-                 double shift, const Take& take) {
+void for_entries(const MatrixStorage& A, const std::vector<int>& place, const std::vector<double>& fixed, double shift,
+                 const Take& take) {
   const auto m = static_cast<std::size_t>(A.block);
   for (LocalIndex row = 0; row < A.layout->owned; ++row)
     for (std::size_t k = A.row_begin(row); k < A.row_end(row); ++k) {
@@ -38,7 +38,7 @@ void for_entries(const Matrix::Storage& A, const std::vector<int>& place, const 
 }
 
 /// Returns the lower half by columns, in the order of elimination; the caller frees it.
-cholmod_sparse* lower_half(const Matrix::Storage& A, const std::vector<int>& place, const std::vector<double>& fixed,
+cholmod_sparse* lower_half(const MatrixStorage& A, const std::vector<int>& place, const std::vector<double>& fixed,
                            double shift, cholmod_common& common) {
   const std::size_t n = A.owned_unknowns();
   std::vector<int> start(n + 1, 0);
@@ -71,7 +71,7 @@ cholmod_dense column_of(std::vector<double>& values) {
 
 }  // namespace
 
-SupernodalFactor::SupernodalFactor(const Matrix::Storage& A, std::span<const char> movable)
+SupernodalFactor::SupernodalFactor(const MatrixStorage& A, std::span<const char> movable)
     : A_(A), movable_(movable.begin(), movable.end()) {
   cholmod_start(&common_);
   common_.print = 0;

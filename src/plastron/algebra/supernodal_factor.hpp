@@ -3,7 +3,7 @@
 // their sets. A few others that change nevertheless form a border. Both are in fixed_set_border.hpp.
 // Includes CHOLMOD: for .cc files only.
 #pragma once
-#include <plastron/algebra/factorisation.hpp>
+#include <plastron/algebra/factorisation_cost.hpp>
 
 #include <span>
 #include <vector>
@@ -17,7 +17,7 @@ namespace plastron::algebra {
 class SupernodalFactor {
  public:
   /// Analyses the pattern. movable[i] != 0 for unknowns that must come last; may be empty.
-  SupernodalFactor(const Matrix::Storage& A, std::span<const char> movable);
+  SupernodalFactor(const MatrixStorage& A, std::span<const char> movable);
   ~SupernodalFactor();
   SupernodalFactor(const SupernodalFactor&) = delete;
   SupernodalFactor& operator=(const SupernodalFactor&) = delete;
@@ -44,7 +44,7 @@ class SupernodalFactor {
   bool is_fixed_in_factor(std::size_t i) const { return fixed_in_factor_[i] != 0; }
   void take_tail();
 
-  const Matrix::Storage& A_;
+  const MatrixStorage& A_;
   std::vector<char> movable_;
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;

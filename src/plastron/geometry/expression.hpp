@@ -1,5 +1,6 @@
 // A scalar function of a place on the mid-surface, written by the user as text and evaluated by muParser.
 #pragma once
+#include <plastron/geometry/expression_text.hpp>
 #include <plastron/geometry/place.hpp>
 
 #include <cstddef>
@@ -13,29 +14,9 @@
 
 namespace plastron::geometry {
 
-/// Named constants of a case, in the order of their definition.
-using Constants = std::vector<std::pair<std::string, double>>;
-
-/// Error for a text that is no valid expression. `position` is the offset in the text of the first wrong character.
-struct ExpressionError : std::invalid_argument {
-  ExpressionError(const std::string& message, std::size_t position_in_text)
-      : std::invalid_argument(message), position(position_in_text) {}
-  std::size_t position;
-};
-
-/// Error for an expression that cannot be differentiated twice, with the reason.
-struct NotDifferentiable : ExpressionError {
-  NotDifferentiable(const std::string& text, std::string reason_in_words);
-  std::string reason;
-};
-
 /// The functions known in expressions that have two derivatives, and the other known functions.
 const std::vector<std::string>& smooth_functions();
 const std::vector<std::string>& other_functions();
-
-/// Limits of an expression, so that reading one takes little time and stack.
-inline constexpr std::size_t longest_expression = 4000;  ///< characters
-inline constexpr std::size_t deepest_brackets = 50;
 
 struct GivenFunction;
 

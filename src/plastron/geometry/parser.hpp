@@ -1,6 +1,6 @@
 // muParser with the constants and functions of expressions, and its errors in Plastron's words.
 #pragma once
-#include <plastron/geometry/expression.hpp>
+#include <plastron/geometry/expression_text.hpp>
 
 #include <muParser.h>
 
