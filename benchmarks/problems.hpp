@@ -23,7 +23,7 @@ inline assembly::Support clamped(const std::string& boundary) {
 inline problem::Problem pressed(double load) {
   problem::Problem problem;
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  assembly::AreaLoad weight;
+  energy::AreaLoad weight;
   weight.force[2] = geometry::Expression(-load);
   problem.shell.loads.on_areas = {weight};
   problem.shell.obstacles.all = {obstacle::Obstacle{}};

@@ -76,18 +76,17 @@ std::shared_ptr<const fem::Space> mesh_of(int degree, double unknowns, bool is_i
   return meshes.space();
 }
 
-void apply_cell_by_cell(const assembly::ShellOperator& shell, const algebra::Vector& y, algebra::Vector& f) {
+void apply_cell_by_cell(const energy::ShellOperator& shell, const algebra::Vector& y, algebra::Vector& f) {
   f.fill(0);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
     shell.scatter(c, shell.forces(c, shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y)))), f);
 }
 
 /// Bytes that a product reads and writes.
-double bytes_of(const assembly::PackedCells& packed, std::size_t values) {
-  const double of_geometry =
-      8.0 * (packed.points_per_cell * packed.point_size() +
-             static_cast<double>(packed.sampling_points()) * assembly::PackedCells::sampling_size +
-             assembly::PackedCells::material_size);
+double bytes_of(const energy::PackedCells& packed, std::size_t values) {
+  const double of_geometry = 8.0 * (packed.points_per_cell * packed.point_size() +
+                                    static_cast<double>(packed.sampling_points()) * energy::PackedCells::sampling_size +
+                                    energy::PackedCells::material_size);
   return static_cast<double>(packed.cells) * (of_geometry + 4 * packed.nodes_per_cell) +
          8.0 * 3 * static_cast<double>(values);  // y read, f read and written
 }
@@ -103,15 +102,15 @@ void report(int degree, bool tying, double wanted, bool is_in_space) {
   std::map<std::string, geometry::Chart> charts;
   if (!is_in_space) charts.emplace("", chart());
   const auto surface = std::make_shared<const fem::Surface>(space->coarse, charts);
-  const assembly::CrossSections sections{
+  const energy::CrossSections sections{
       .common = {.thickness = geometry::Expression(0.01), .material = shell::Material::from_young_poisson(1, 0.3, 1)}};
   algebra::Vector y(space->layout, 6), f = y;
   for (std::size_t i = 0; i < y.local().size(); ++i) y.local()[i] = std::sin(static_cast<double>(i));
   const double unknowns = 5.0 * static_cast<double>(space->layout->owned);
   fmt::print("{:>7} {:>6} {:>6} {:>9.0f}", is_in_space ? "mesh" : "chart", degree, tying, unknowns);
   double bytes = 0, plain = 0;
-  for (const assembly::PackKernels* kernels : assembly::pack_kernels()) {
-    const assembly::ShellOperator shell(space, surface, sections, tying, false, *kernels);
+  for (const energy::PackKernels* kernels : energy::pack_kernels()) {
+    const energy::ShellOperator shell(space, surface, sections, tying, false, *kernels);
     if (bytes == 0) {
       bytes = bytes_of(shell.packed(), y.local().size());
       plain = seconds([&] { apply_cell_by_cell(shell, y, f); });
@@ -132,7 +131,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) sizes.push_back(std::atof(argv[i]));
   if (sizes.empty()) sizes = {25000, 100000, 400000};
   fmt::print("million unknowns a second\n{:>7} {:>6} {:>6} {:>9}", "surface", "degree", "tied", "unknowns");
-  for (const auto* kernels : plastron::assembly::pack_kernels()) fmt::print(" {:>8}", kernels->name);
+  for (const auto* kernels : plastron::energy::pack_kernels()) fmt::print(" {:>8}", kernels->name);
   fmt::print(" {:>8} {:>8} {:>8}\n", "by cells", "copying", "B/unkn");
   for (const double size : sizes)
     for (const bool tying : {true, false})

@@ -345,6 +345,8 @@ void print_summary(const computation::Result& result) {
             vector_text(corner.reaction.force), fmt::format("{}", fmt::join(corner.boundaries, ", ")));
   for (const auto& p : s.point_reactions)
     print("  at {:<12} {} N\n", place_text(s, p.at, p.position), vector_text(p.force));
+  for (const auto& f : s.foundations)
+    print("{:<17} {} N, energy {:.4g} J\n", f.name, vector_text(f.reaction.force), f.energy);
   for (const auto& b : s.body_reactions) {
     print("{:<17} displacement {} m, rotation {} rad\n", b.name, vector_text(b.displacement), vector_text(b.rotation));
     if (b.reaction.force.norm() + b.moment_at_reference.norm() > 0)

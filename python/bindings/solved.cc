@@ -113,7 +113,7 @@ py::list Solved::values_at(const Points& points, const std::vector<double>& heig
   }
   const assembly::DiscreteShell& discrete = *solution().discrete;
   const auto present =
-      io::fields_of(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed, heights,
+      io::fields_of(io::ingredients_of(discrete), heights,
                     discrete.shell.sections().most_layers());
   std::vector<io::GridArray> arrays;
   for (const io::Field& field : present)

@@ -292,7 +292,7 @@ class TestChangedSections:
         "key, value, words",
         [
             ("load", [{"pressure": 1, "forc": 1}],
-             ['unknown key "forc" in [[load]]', "allowed: boundary", 'did you mean "force"?']),
+             ['unknown key "forc" in [[load]]', "allowed: name, boundary", 'did you mean "force"?']),
             ("probe[0]", {"name": "a"}, ['[[probe]] has no "at"']),
             ("load", {"pressure": 1}, ["[load] is a repeated section"]),
             ("probe[1]", {"name": "a", "at": [0, 0]}, ["probe has 1 entry, counted from 0"]),

@@ -11,13 +11,13 @@ double squared_gradient(const Eigen::Matrix2d& metric_con, const geometry::Vecto
 
 }  // namespace
 
-SquaredNorms squared_norms(const assembly::ShellOperator& shell, const algebra::Vector& y) {
+SquaredNorms squared_norms(const energy::ShellOperator& shell, const algebra::Vector& y) {
   const element::BasisAt& basis = shell.tables().quadrature;
   SquaredNorms sum;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const element::FieldRows v = shell.interpolation().fields(c, basis, shell.quadrature_bases(c), shell.gather(c, y));
     for (int q = 0; q < v.value.rows(); ++q) {
-      const assembly::QuadraturePoint& p = shell.point(c, q);
+      const energy::QuadraturePoint& p = shell.point(c, q);
       const auto& g = p.frame.metric_con;
       sum.u += p.area * v.value.row(q).head<3>().squaredNorm();
       sum.r += p.area * v.value.row(q).tail<3>().squaredNorm();
@@ -32,12 +32,12 @@ SquaredNorms squared_norms(const assembly::ShellOperator& shell, const algebra::
           .grad_r = algebra::sum_over_ranks(sum.grad_r, comm)};
 }
 
-double squared_distance_to_koiter(const assembly::ShellOperator& shell, const algebra::Vector& y) {
+double squared_distance_to_koiter(const energy::ShellOperator& shell, const algebra::Vector& y) {
   double sum = 0;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const assembly::CellStrain strains = shell.strains(c, shell.gather(c, y));
+    const energy::CellStrain strains = shell.strains(c, shell.gather(c, y));
     for (int q = 0; q < strains.rows(); ++q) {
-      const assembly::QuadraturePoint& p = shell.point(c, q);
+      const energy::QuadraturePoint& p = shell.point(c, q);
       const Eigen::Vector2d twice_delta = strains.row(q).tail<2>();
       sum += p.area * twice_delta.dot(p.frame.metric_con * twice_delta);
     }

@@ -1,6 +1,6 @@
 // Norms of discrete fields over the mid-surface: L2 and H1 of u and r (M10), and the distance to Koiter's rotation.
 #pragma once
-#include <plastron/assembly/shell_operator.hpp>
+#include <plastron/energy/shell_operator.hpp>
 
 namespace plastron::spectra {
 
@@ -19,11 +19,11 @@ struct SquaredNorms {
 
 /// Returns the norms of Cartesian nodal values y = (u, r), block 6 with valid ghosts, at the Gauss points of the
 /// stiffness (collective).
-SquaredNorms squared_norms(const assembly::ShellOperator& shell, const algebra::Vector& y);
+SquaredNorms squared_norms(const energy::ShellOperator& shell, const algebra::Vector& y);
 
 /// Returns |r - r_K|^2 = int a^{ab} 2 delta_{a3} 2 delta_{b3} sqrt(a) dx [m^2] (collective). r_K = -(d_a u . a_3) a^a
 /// is the rotation of Koiter's model for the same u (Remark 2 of the paper, sign corrected): r - r_K = 2 delta_{a3} a^a
 /// for tangent r (M6). The shear strain is the strain of the method, tied where tying is on (M22).
-double squared_distance_to_koiter(const assembly::ShellOperator& shell, const algebra::Vector& y);
+double squared_distance_to_koiter(const energy::ShellOperator& shell, const algebra::Vector& y);
 
 }  // namespace plastron::spectra

@@ -9,12 +9,12 @@ namespace {
 using assembly::Vector6;
 
 /// Scalar element matrix: 1/L^2 int N_i N_j / L^2 + a^{ab} d_a N_i d_b N_j sqrt(a) dx. That of s is L^2 times as large.
-assembly::RowMatrix scalar_element(const assembly::ShellOperator& shell, std::size_t cell, double length) {
+assembly::RowMatrix scalar_element(const energy::ShellOperator& shell, std::size_t cell, double length) {
   const double unit_area = length * length;
   const element::BasisAt& basis = shell.tables().quadrature;
   assembly::RowMatrix k = assembly::RowMatrix::Zero(basis.value.cols(), basis.value.cols());
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-    const assembly::QuadraturePoint& p = shell.point(cell, q);
+    const energy::QuadraturePoint& p = shell.point(cell, q);
     Eigen::Matrix2Xd g(2, basis.value.cols());
     g << basis.d1.row(q), basis.d2.row(q);
     k += p.area / unit_area *
@@ -24,7 +24,7 @@ assembly::RowMatrix scalar_element(const assembly::ShellOperator& shell, std::si
 }
 
 /// Cartesian element matrix, 6 values a node, for values interpolated in moving bases (M15): field by field.
-assembly::RowMatrix covariant_element(const assembly::ShellOperator& shell, std::size_t cell, double length) {
+assembly::RowMatrix covariant_element(const energy::ShellOperator& shell, std::size_t cell, double length) {
   const int points = shell.tables().points_per_cell(), columns = 6 * shell.tables().nodes_per_cell();
   assembly::RowMatrix value(6 * points, columns), d1 = value, d2 = value;
   element::CellField unit = element::CellField::Zero(shell.tables().nodes_per_cell(), 6);
@@ -38,7 +38,7 @@ assembly::RowMatrix covariant_element(const assembly::ShellOperator& shell, std:
     d2.col(c) = Eigen::Map<const Eigen::VectorXd>(rows.d2.data(), rows.d2.size());
   }
   for (int q = 0; q < points; ++q) {
-    const assembly::QuadraturePoint& p = shell.point(cell, q);
+    const energy::QuadraturePoint& p = shell.point(cell, q);
     const double area = p.area / (length * length);
     const Eigen::Matrix2d root = (area * p.frame.metric_con).llt().matrixU();
     value.middleRows<6>(6 * q) *= std::sqrt(area) / length;
@@ -60,7 +60,7 @@ assembly::RowMatrix by_components(const assembly::RowMatrix& scalar, const Vecto
 
 }  // namespace
 
-algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::NodalCoordinates& coordinates,
+algebra::Matrix h1_matrix(const energy::ShellOperator& shell, const assembly::NodalCoordinates& coordinates,
                           double length) {
   const double weight_of_s = length * length;
   const Vector6 weights = (Vector6() << 1, 1, 1, weight_of_s, weight_of_s, weight_of_s).finished();
@@ -80,7 +80,7 @@ algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::
   return matrix;
 }
 
-algebra::Matrix scalar_h1_matrix(const assembly::ShellOperator& shell, double length) {
+algebra::Matrix scalar_h1_matrix(const energy::ShellOperator& shell, double length) {
   const fem::Space& space = shell.space();
   algebra::Matrix matrix(space.layout, 1, space.continuity.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {

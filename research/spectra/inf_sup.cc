@@ -2,7 +2,8 @@
 
 #include <plastron/algebra/eigenvalues.hpp>
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/assembly/box_problem.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -114,7 +115,7 @@ double l2_inf_sup(const assembly::DiscreteShell& discrete, double length, std::s
 
 std::optional<double> tangency_inf_sup(const assembly::DiscreteShell& discrete, double length) {
   const auto& layout = discrete.space().layout;
-  const auto zeros = multiplier_zeros(discrete.coordinates, *layout);
+  const auto zeros = assembly::multiplier_zeros(discrete.coordinates, *layout);
   std::int64_t count = 0;
   for (const char zero : zeros) count += zero;
   count = algebra::sum_over_ranks(count, layout->comm);

@@ -28,10 +28,10 @@ namespace plastron::spectra {
 using geometry::Vector3d;
 
 /// z' X z = |V|_X^2 for V with nodal coordinates z and L = `length` [m], in the pattern of stiffness_matrix() (collective).
-algebra::Matrix h1_matrix(const assembly::ShellOperator& shell, const assembly::NodalCoordinates& coordinates,
+algebra::Matrix h1_matrix(const energy::ShellOperator& shell, const assembly::NodalCoordinates& coordinates,
                           double length);
 /// q' K q = |q|_1^2 for scalar nodal values (collective).
-algebra::Matrix scalar_h1_matrix(const assembly::ShellOperator& shell, double length);
+algebra::Matrix scalar_h1_matrix(const energy::ShellOperator& shell, double length);
 
 struct ContactInfSup {
   double dual = 0;  ///< |eta|: the norm dual to |w|_1 of scalar nodal fields w that vanish where supports hold the face

@@ -1,6 +1,5 @@
 // The solution under random changes of load, thickness and obstacle, against bounds that follow from the variational
 // inequality (M18); proofs in docs/research/continuity.md. Norms are the energy norm of the unchanged shell.
-#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/solve.hpp>
 #include <research/study/measures.hpp>
 #include <research/study/random_field.hpp>
@@ -130,7 +129,7 @@ class Continuity {
   std::optional<Change> load() {
     AreaForce field = random_field(random_, std::sqrt(area_));
     const double amplitude = options_.size * typical_load();
-    const assembly::AreaLoad extra{.force_function = [field, amplitude](double x, double y) -> Eigen::Vector3d {
+    const energy::AreaLoad extra{.force_function = [field, amplitude](double x, double y) -> Eigen::Vector3d {
       return amplitude * field(x, y);
     }};
     problem::Problem linear = with_loads_scaled(linear_and_homogeneous(problem_), 0);
@@ -231,10 +230,7 @@ class Continuity {
   /// |V|_a with the a of the unchanged shell, the form of (M13) or (M14) included [J^{1/2}].
   double norm_of(const algebra::Vector& y) const {
     const assembly::DiscreteShell& discrete = *base_.solution->discrete;
-    double energy = discrete.shell.energies(y).total();
-    if (discrete.tangency_factor() > 0)
-      energy += assembly::tangency_energy(discrete.shell, discrete.tangency_factor(), y);
-    return std::sqrt(2 * energy);
+    return std::sqrt(2 * (discrete.shell.energies(y).total() + discrete.energy_of_terms(y, true)));
   }
 
   std::pair<double, double> range_of_bounds() const {

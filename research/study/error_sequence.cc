@@ -32,7 +32,7 @@ class CarriedSolutions {
   }
   bool fits(const fem::Space& space) const { return reference_.fits(space); }
   const std::vector<algebra::Vector>& fields() const { return fields_; }
-  const std::vector<std::vector<assembly::CellStrain>>& strains() const { return strains_; }
+  const std::vector<std::vector<energy::CellStrain>>& strains() const { return strains_; }
   const std::vector<std::int64_t>& cells() const { return cells_; }
   const std::vector<CoarseSolution>& coarse() const { return coarse_; }
   const ReferenceStrains& reference() const { return reference_; }
@@ -47,25 +47,25 @@ class CarriedSolutions {
   fem::MeshSequence meshes_;
   ReferenceStrains reference_;
   std::vector<algebra::Vector> fields_;
-  std::vector<std::vector<assembly::CellStrain>> strains_;
+  std::vector<std::vector<energy::CellStrain>> strains_;
   std::vector<std::int64_t> cells_;
   std::size_t compared_;
   std::vector<CoarseSolution> coarse_;
 };
 
 /// (int C (eps_1 - eps_2) : (eps_1 - eps_2))^{1/2}, the energy norm of a difference of strains [J^{1/2}].
-double energy_distance(const assembly::ShellOperator& shell, const std::vector<assembly::CellStrain>& first,
-                       const std::vector<assembly::CellStrain>& second) {
+double energy_distance(const energy::ShellOperator& shell, const std::vector<energy::CellStrain>& first,
+                       const std::vector<energy::CellStrain>& second) {
   double sum = 0;
   for (std::size_t c = 0; c < first.size(); ++c) {
-    const assembly::CellStrain difference = first[c] - second[c];
+    const energy::CellStrain difference = first[c] - second[c];
     sum += shell.weighted_stresses(c, difference).cwiseProduct(difference).sum();
   }
   return std::sqrt(algebra::sum_over_ranks(sum, shell.space().layout->comm));
 }
 
 /// All but the energy norm.
-Norms field_norms(const assembly::ShellOperator& shell, double length, const algebra::Vector& y) {
+Norms field_norms(const energy::ShellOperator& shell, double length, const algebra::Vector& y) {
   const spectra::SquaredNorms s = spectra::squared_norms(shell, y);
   return {.h1 = std::sqrt(s.h1(length)),
           .l2 = std::sqrt(s.l2(length)),
@@ -78,7 +78,7 @@ Norms field_norms(const assembly::ShellOperator& shell, double length, const alg
 /// The error of level l against the last level, relative to the norms of the last level.
 Norms relative_error(const computation::Solution& reference, const CarriedSolutions& carried, std::size_t l,
                      double length, const Norms& scale) {
-  const assembly::ShellOperator& shell = reference.discrete->shell;
+  const energy::ShellOperator& shell = reference.discrete->shell;
   Norms error = field_norms(shell, length,
                             difference(shell.interpolation().nodal_values(carried.fields()[l]), reference.nodal.y));
   error.energy = energy_distance(shell, carried.strains()[l], carried.strains().back());

@@ -14,7 +14,7 @@ namespace plastron::study {
 
 namespace {
 
-using Strains = std::vector<assembly::CellStrain>;
+using Strains = std::vector<energy::CellStrain>;
 using assembly::DiscreteShell;
 
 /// Cartesian again after every coordinate z of an owned node has become change(z, lower, upper).
@@ -45,7 +45,7 @@ Strains strain_difference(const Strains& a, const Strains& b) {
 }
 
 /// int C eps_1 : eps_2 sqrt(a) dx [J].
-double product(const assembly::ShellOperator& shell, const Strains& first, const Strains& second) {
+double product(const energy::ShellOperator& shell, const Strains& first, const Strains& second) {
   double sum = 0;
   for (std::size_t c = 0; c < first.size(); ++c)
     sum += shell.weighted_stresses(c, first[c]).cwiseProduct(second[c]).sum();

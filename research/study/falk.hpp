@@ -35,8 +35,8 @@ struct CoarseSolution {
 
 /// A solution as the reference's mesh sees it.
 struct SeenSolution {
-  const algebra::Vector& y;                          ///< carried to the reference's nodes
-  const std::vector<assembly::CellStrain>& strains;  ///< of its own mesh, at the reference's quadrature points
+  const algebra::Vector& y;                        ///< carried to the reference's nodes
+  const std::vector<energy::CellStrain>& strains;  ///< of its own mesh, at the reference's quadrature points
 };
 
 /// All but the penetrations in energies [J]: the estimate says error <= interpolation + 2 reaction.

@@ -90,7 +90,7 @@ algebra::Vector difference(algebra::Vector a, const algebra::Vector& b) {
   return a;
 }
 
-double relative_distance(const assembly::ShellOperator& shell, const algebra::Vector& y,
+double relative_distance(const energy::ShellOperator& shell, const algebra::Vector& y,
                          const algebra::Vector& reference) {
   const double scale = shell.energies(reference).total();
   const double distance = shell.energies(difference(y, reference)).total();

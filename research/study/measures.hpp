@@ -46,7 +46,7 @@ double relative_noise(const computation::Solution& solution, double energy_norm)
 algebra::Vector difference(algebra::Vector a, const algebra::Vector& b);
 
 /// |y - reference|_a / |reference|_a; NaN where the reference has no energy. (collective)
-double relative_distance(const assembly::ShellOperator& shell, const algebra::Vector& y,
+double relative_distance(const energy::ShellOperator& shell, const algebra::Vector& y,
                          const algebra::Vector& reference);
 
 /// value / reference - 1; zero if both are zero.

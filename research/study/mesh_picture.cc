@@ -109,7 +109,7 @@ Eigen::AlignedBox2d box(const std::vector<Outline>& outlines) {
 }
 
 MeshPicture mesh_picture(const computation::Solution& solution) {
-  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const energy::ShellOperator& shell = solution.discrete->shell;
   const fem::Space& space = shell.space();
   const auto corners = static_cast<std::size_t>(mesh::corner_count(space.shape()));
   std::vector<Outline> mine;

@@ -95,7 +95,7 @@ NodesInside nodes_inside(mesh::Shape shape, const fem::Cell& coarse, const fem::
 }
 
 /// Sums over the fine cells of this rank, coarse cell after coarse cell and node after node.
-std::vector<double> sums_here(const GatheredCells& coarse, const assembly::ShellOperator& fine,
+std::vector<double> sums_here(const GatheredCells& coarse, const energy::ShellOperator& fine,
                               const algebra::Vector& y) {
   const fem::Space& space = fine.space();
   const auto& nodes = fine.tables().nodes;
@@ -119,7 +119,7 @@ std::vector<double> sums_here(const GatheredCells& coarse, const assembly::Shell
 
 // ---- strains -----------------------------------------------------------------------------------------------------------
 
-using assembly::CellStrain;
+using energy::CellStrain;
 
 /// A reference cell seen from the coarse cell that holds it: xi_coarse = corner + size xi_fine.
 struct Part {
@@ -135,7 +135,7 @@ struct PartTables {
 
 class Evaluator {
  public:
-  Evaluator(const assembly::ShellOperator& shell, const algebra::Vector& y)
+  Evaluator(const energy::ShellOperator& shell, const algebra::Vector& y)
       : shell_(shell), y_(y), cells_(shell.space().shape(), shell.space().cells, shell.space().owned_cells) {}
 
   /// Nothing if the fine cell lies in no cell of this rank.
@@ -171,7 +171,7 @@ class Evaluator {
         .first->second;
   }
 
-  const assembly::ShellOperator& shell_;
+  const energy::ShellOperator& shell_;
   const algebra::Vector& y_;
   HoldingCells cells_;
   std::map<std::tuple<long, long, long>, PartTables> tables_;
@@ -179,8 +179,7 @@ class Evaluator {
 
 }  // namespace
 
-algebra::Vector values_at_nodes(const fem::Space& coarse, const assembly::ShellOperator& fine,
-                                const algebra::Vector& y) {
+algebra::Vector values_at_nodes(const fem::Space& coarse, const energy::ShellOperator& fine, const algebra::Vector& y) {
   const GatheredCells cells = gathered_cells(coarse);
   std::vector<double> sums = sums_here(cells, fine, y);
   algebra::check_gathered(static_cast<std::int64_t>(sums.size()));
@@ -211,7 +210,7 @@ bool ReferenceStrains::fits(const fem::Space& space) const {
 }
 
 // Each rank fills in the cells it can see; a sum over the ranks brings them to their owners.
-std::vector<CellStrain> ReferenceStrains::of(const assembly::ShellOperator& coarse, const algebra::Vector& y) const {
+std::vector<CellStrain> ReferenceStrains::of(const energy::ShellOperator& coarse, const algebra::Vector& y) const {
   Evaluator evaluate(coarse, y);
   const Eigen::Index points = coarse.tables().points_per_cell();
   const auto per_cell = static_cast<std::size_t>(8 * points);

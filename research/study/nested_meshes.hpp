@@ -1,6 +1,6 @@
 // Fields and strains carried between a mesh and a nested finer one, across the borders of ranks.
 #pragma once
-#include <plastron/assembly/shell_operator.hpp>
+#include <plastron/energy/shell_operator.hpp>
 
 #include <mpi.h>
 
@@ -11,8 +11,7 @@ namespace plastron::study {
 
 /// The values of the nodal field `y` of a finer, nested mesh at the nodes of `coarse`, block 6 with valid ghosts; y has valid ghosts.
 /// Precondition: every cell of `fine` lies in one of `coarse`. (collective)
-algebra::Vector values_at_nodes(const fem::Space& coarse, const assembly::ShellOperator& fine,
-                                const algebra::Vector& y);
+algebra::Vector values_at_nodes(const fem::Space& coarse, const energy::ShellOperator& fine, const algebra::Vector& y);
 
 /// The cells of a mesh, on every rank.
 struct GatheredCells {
@@ -32,7 +31,7 @@ class ReferenceStrains {
   /// For each cell that this rank owns on the reference mesh the strains of the nodal field `y` of a coarse mesh at its quadrature
   /// points, components in that cell's own coordinates. Precondition: every reference cell lies in one cell of the coarse mesh, and y has
   /// valid ghosts. (collective)
-  std::vector<assembly::CellStrain> of(const assembly::ShellOperator& coarse, const algebra::Vector& y) const;
+  std::vector<energy::CellStrain> of(const energy::ShellOperator& coarse, const algebra::Vector& y) const;
 
   /// The mesh is the one of the constructor, cell by cell.
   bool fits(const fem::Space& space) const;

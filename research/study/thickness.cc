@@ -20,15 +20,15 @@ namespace {
 /// One thickness.
 struct Sample {
   double factor = 1;
-  double thickness = 0;         ///< mean e [m]
-  double load_factor = 1;       ///< loads are this multiple of the case's
-  assembly::Energies energy{};  ///< [J]
-  double stiffness = 0;         ///< 2 W / (l(U) / load_factor)^2 [1/J]
-  double noise = 0;         ///< relative error of W and l(U), as the energy identity shows it; infinite for no energy
-  double koiter = 0;        ///< |r - r_K| / |r| in L2
-  double koiter_noise = 0;  ///< what the solver's error makes of it
-  double mesh_size = 0;     ///< h [m]
-  double layer = 0;         ///< sqrt(e R) at the sharpest curvature; infinite for a plate [m]
+  double thickness = 0;       ///< mean e [m]
+  double load_factor = 1;     ///< loads are this multiple of the case's
+  energy::Energies energy{};  ///< [J]
+  double stiffness = 0;       ///< 2 W / (l(U) / load_factor)^2 [1/J]
+  double noise = 0;           ///< relative error of W and l(U), as the energy identity shows it; infinite for no energy
+  double koiter = 0;          ///< |r - r_K| / |r| in L2
+  double koiter_noise = 0;    ///< what the solver's error makes of it
+  double mesh_size = 0;       ///< h [m]
+  double layer = 0;           ///< sqrt(e R) at the sharpest curvature; infinite for a plate [m]
   std::int64_t touching = 0;
 };
 

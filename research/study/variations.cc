@@ -11,7 +11,7 @@ namespace plastron::study {
 namespace {
 
 /// Another shell under the same loads: rho e stays, so the weight does.
-void scale_thickness(assembly::CrossSection& section, double factor) {
+void scale_thickness(energy::CrossSection& section, double factor) {
   section.thickness = section.thickness.scaled(factor);
   section.density /= factor;
 }

@@ -2,8 +2,8 @@
 // numbers of cells that do not fill a whole pack.
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/domain/domain.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 #include <plastron/shell/strain.hpp>
 
 #include <gtest/gtest.h>
@@ -37,13 +37,13 @@ test::MeshedSurface strip_of(mesh::Shape shape, int degree) {
   return test::meshed(strip, test::saddle, degree, refinements, shape);
 }
 
-ShellOperator shell_on(const test::MeshedSurface& m, bool tying, const PackKernels& kernels) {
+energy::ShellOperator shell_on(const test::MeshedSurface& m, bool tying, const energy::PackKernels& kernels) {
   return {m.space, m.surface, test::steel_of(geometry::Expression("0.1 + 0.02*x", {})), tying, false, kernels};
 }
 
 /// Adds the nodal forces of `stresses`: the transpose of normal_rotation_gradients().
-void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, const CellGradient& stresses,
-                                element::CellField& forces) {
+void add_normal_rotation_forces(const energy::ShellOperator& shell, std::size_t cell,
+                                const energy::CellGradient& stresses, element::CellField& forces) {
   element::FieldRows dual = element::FieldRows::zero(stresses.rows());
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
     shell::LocalField<double> at_point = shell::zero_field();
@@ -55,11 +55,11 @@ void add_normal_rotation_forces(const ShellOperator& shell, std::size_t cell, co
 }
 
 /// One region of a laminate that couples membrane and bending; steel in the others.
-ShellOperator laminate_on(const test::MeshedSurface& m, bool tying, const PackKernels& kernels) {
+energy::ShellOperator laminate_on(const test::MeshedSurface& m, bool tying, const energy::PackKernels& kernels) {
   const shell::Orthotropic carbon{.E1 = 25, .E2 = 1, .nu12 = 0.25, .G12 = 0.5, .G13 = 0.5, .G23 = 0.2};
   const std::vector<shell::Layer> layers{{.material = carbon, .angle = 0.5},
                                          {.material = carbon, .part = 2, .angle = -1}};
-  CrossSections sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {}));
+  energy::CrossSections sections = test::steel_of(geometry::Expression("0.1 + 0.02*x", {}));
   sections.common.material.law = std::make_shared<const shell::Laminate>(layers, Eigen::Vector3d(1, 0.5, 0));
   return {m.space, m.surface, sections, tying, false, kernels};
 }
@@ -71,8 +71,8 @@ class EveryPack : public testing::TestWithParam<test::Element> {
   void on_all(const Test& test) const {
     const auto [shape, degree, tying] = GetParam();
     const auto m = strip_of(shape, degree);
-    ASSERT_FALSE(pack_kernels().empty());
-    for (const PackKernels* kernels : pack_kernels()) {
+    ASSERT_FALSE(energy::pack_kernels().empty());
+    for (const energy::PackKernels* kernels : energy::pack_kernels()) {
       SCOPED_TRACE(kernels->name);
       test(shell_on(m, tying, *kernels));
       SCOPED_TRACE("laminate");
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Triangles, EveryPack,
                                           testing::Values(false)));
 
 TEST_P(EveryPack, TheProductIsThatOfTheCells) {
-  on_all([](const ShellOperator& shell) {
+  on_all([](const energy::ShellOperator& shell) {
     const algebra::Vector y = random_values(shell.space(), 6, 1);
     algebra::Vector packed(shell.space().layout, 6), plain = packed;
     packed.fill(7);  // earlier contents must not matter
@@ -100,17 +100,17 @@ TEST_P(EveryPack, TheProductIsThatOfTheCells) {
 }
 
 TEST_P(EveryPack, TheEnergiesAreThoseOfTheCells) {
-  on_all([](const ShellOperator& shell) {
+  on_all([](const energy::ShellOperator& shell) {
     const algebra::Vector y = random_values(shell.space(), 6, 2);
-    Energies plain;
+    energy::Energies plain;
     for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-      const CellStrain strains = shell.strains(c, shell.gather(c, y));
+      const energy::CellStrain strains = shell.strains(c, shell.gather(c, y));
       const auto work = (strains.array() * shell.weighted_stresses(c, strains).array()).colwise().sum().eval();
       plain.membrane += work.head<3>().sum() / 2;
       plain.bending += work.segment<3>(3).sum() / 2;
       plain.shear += work.tail<2>().sum() / 2;
     }
-    const Energies packed = shell.energies(y);
+    const energy::Energies packed = shell.energies(y);
     const auto expect_same = [&](double in_packs, double of_cells) {
       of_cells = algebra::sum_over_ranks(of_cells, MPI_COMM_WORLD);
       EXPECT_NEAR(in_packs, of_cells, 1e-14 * packed.total());  // with coupling, a part is a difference of larger sums
@@ -122,7 +122,7 @@ TEST_P(EveryPack, TheEnergiesAreThoseOfTheCells) {
 }
 
 TEST_P(EveryPack, TheFormOfTheNormalRotationIsThatOfTheCells) {
-  on_all([](const ShellOperator& shell) {
+  on_all([](const energy::ShellOperator& shell) {
     const algebra::Vector y = random_values(shell.space(), 6, 3);
     algebra::Vector packed = random_values(shell.space(), 6, 4), plain = packed, sum(shell.space().layout, 6);
     packed.accumulate_ghosts();
@@ -130,9 +130,9 @@ TEST_P(EveryPack, TheFormOfTheNormalRotationIsThatOfTheCells) {
     add_normal_rotation_form(shell, 3, y, packed);
     packed.accumulate_ghosts();
     for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-      CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
+      energy::CellGradient g = normal_rotation_gradients(shell, c, shell.gather(c, y));
       for (int q = 0; q < g.rows(); ++q) {
-        const QuadraturePoint p = shell.point(c, q);
+        const energy::QuadraturePoint p = shell.point(c, q);
         g.row(q) = 3 * p.young * std::pow(p.thickness, 3) * p.area * (g.row(q) * p.frame.metric_con).eval();
       }
       element::CellField forces = element::CellField::Zero(shell.tables().nodes_per_cell(), 6);
@@ -147,7 +147,7 @@ TEST_P(EveryPack, TheFormOfTheNormalRotationIsThatOfTheCells) {
 
 // b(y, q) = int a^{ab} d_a(r . a_3) d_b q sqrt(a) dx from the cells' gradients, against both maps.
 TEST_P(EveryPack, TheCouplingOfTheMultiplierIsThatOfTheCells) {
-  on_all([](const ShellOperator& shell) {
+  on_all([](const energy::ShellOperator& shell) {
     const fem::Space& space = shell.space();
     const algebra::Vector y = random_values(space, 6, 5);
     algebra::Vector lambda = random_values(space, 1, 6);
@@ -159,12 +159,12 @@ TEST_P(EveryPack, TheCouplingOfTheMultiplierIsThatOfTheCells) {
       const auto nodes = space.nodes(c);
       Eigen::VectorXd values(nodes.size());
       for (std::size_t i = 0; i < nodes.size(); ++i) values[i] = lambda.local()[nodes[i]];
-      CellGradient of_rotation = normal_rotation_gradients(shell, c, shell.gather(c, y)),
-                   of_lambda(of_rotation.rows(), 2);
+      energy::CellGradient of_rotation = normal_rotation_gradients(shell, c, shell.gather(c, y)),
+                           of_lambda(of_rotation.rows(), 2);
       of_lambda << basis.d1 * values, basis.d2 * values;
       for (int p = 0; p < of_lambda.rows(); ++p) {
-        const QuadraturePoint point = shell.point(c, p);
-        for (CellGradient* g : {&of_rotation, &of_lambda})
+        const energy::QuadraturePoint point = shell.point(c, p);
+        for (energy::CellGradient* g : {&of_rotation, &of_lambda})
           g->row(p) = point.area * (g->row(p) * point.frame.metric_con).eval();
       }
       const Eigen::VectorXd of_cell =
@@ -183,8 +183,8 @@ TEST_P(EveryPack, TheCouplingOfTheMultiplierIsThatOfTheCells) {
 
 TEST(CellPacks, WhatIsStoredGivesTheFrameOfTheSurface) {
   const auto m = strip_of(test::quadrilateral, 3);
-  for (const PackKernels* kernels : pack_kernels()) {
-    const ShellOperator shell = shell_on(m, true, *kernels);
+  for (const energy::PackKernels* kernels : energy::pack_kernels()) {
+    const energy::ShellOperator shell = shell_on(m, true, *kernels);
     const auto& xi = shell.tables().quadrature.xi;
     std::vector<geometry::Frame> frames(xi.size());
     for (std::size_t c = 0; c < m.space->owned_cells; ++c) {
@@ -202,7 +202,7 @@ TEST(CellPacks, WhatIsStoredGivesTheFrameOfTheSurface) {
 
 // Numbers of rows and columns that are not multiples of a block.
 TEST(PackKernels, TheGramMatrixIsTheTransposeTimesTheMatrix) {
-  for (const PackKernels* kernels : pack_kernels())
+  for (const energy::PackKernels* kernels : energy::pack_kernels())
     for (const int columns : {1, 3, 20, 45, 54, 101}) {
       const RowMatrix b = RowMatrix::Random(17, columns), expected = b.transpose() * b;
       RowMatrix k = RowMatrix::Constant(columns, columns, NAN);

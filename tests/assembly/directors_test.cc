@@ -106,11 +106,11 @@ TEST(Directors, RigidMotionsHaveNoStrainAndSatisfyTheFolds) {
 TEST(Directors, StrainsByCellsAndByPacksHaveOneWork) {
   for (const Part& part : parts()) {
     const Shell shell = shell_on(part.mesh, part.degree, element::Formulation::tangent);
-    const ShellOperator& op = shell.discrete->shell;
+    const energy::ShellOperator& op = shell.discrete->shell;
     const algebra::Vector y = some_field(*shell.space);
     double by_cells = 0;
     for (std::size_t cell = 0; cell < shell.space->owned_cells; ++cell) {
-      const CellStrain strains = op.strains(cell, op.gather(cell, y));
+      const energy::CellStrain strains = op.strains(cell, op.gather(cell, y));
       by_cells += strains.cwiseProduct(op.weighted_stresses(cell, strains)).sum();
     }
     by_cells = algebra::sum_over_ranks(by_cells, MPI_COMM_WORLD);

@@ -35,11 +35,11 @@ test::MeshedSurface with_hanging_nodes(int degree, const std::array<std::string,
   space->global_cells = static_cast<std::int64_t>(space->cells.size());
 
   const auto line = mesh::gauss_lobatto(degree + 1).points;
-  std::vector<Vector2d> xi;
+  std::vector<Eigen::Vector2d> xi;
   for (const double b : line)
     for (const double a : line) xi.emplace_back(a, b);
   std::map<std::pair<long, long>, algebra::LocalIndex> numbers;
-  std::vector<Vector2d> places;
+  std::vector<Eigen::Vector2d> places;
   space->connectivity.nodes_per_element = static_cast<int>(xi.size());
   for (const fem::Cell& cell : space->cells) {
     std::vector<double> x(xi.size()), y(xi.size());

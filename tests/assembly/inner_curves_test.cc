@@ -3,8 +3,8 @@
 #include "assembly/sample_shells.hpp"
 #include "supported.hpp"
 
-#include <plastron/assembly/load_vector.hpp>
 #include <plastron/domain/domain.hpp>
+#include <plastron/energy/load_vector.hpp>
 
 #include <gtest/gtest.h>
 
@@ -51,10 +51,10 @@ Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
 }
 
 Eigen::Matrix<double, 6, 1> total_of_load_on(const test::MeshedSurface& m, const std::string& boundary) {
-  EdgeLoad load{.boundary = boundary};
+  energy::EdgeLoad load{.boundary = boundary};
   load.force = {geometry::Expression("x^2 + y^2", {}), geometry::Expression(7.0), geometry::Expression(-2.0)};
   load.couple[1] = geometry::Expression(3.0);
-  const ShellOperator shell(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false);
+  const energy::ShellOperator shell(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false);
   return total(load_vector(shell, {.on_edges = {load}}));
 }
 
@@ -125,7 +125,7 @@ TEST(InnerCurve, HasItsConormalOnTheRightOfItsDirection) {
 
 TEST(EdgeLoads, OnABoundaryThatIsNotThereAreRefused) {
   const auto m = test::meshed(domain::Disk{}, test::flat, 2, 0);
-  EXPECT_THROW(total_of_load_on(m, "no such"), LoadError);
+  EXPECT_THROW(total_of_load_on(m, "no such"), energy::LoadError);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #pragma once
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/load_vector.hpp>
 #include <plastron/domain/domain.hpp>
+#include <plastron/energy/load_vector.hpp>
 
 namespace plastron::test {
 
@@ -14,7 +14,7 @@ inline Eigen::Matrix<double, 6, 1> total(const algebra::Vector& f) {
 }
 
 /// A plate of 2 x 2 cells times 4^refinements.
-inline assembly::ShellOperator plate_operator(int degree, mesh::Shape shape, int refinements = 1) {
+inline energy::ShellOperator plate_operator(int degree, mesh::Shape shape, int refinements = 1) {
   const auto m = meshed(domain::Rectangle{.to = {1, 1}, .cells = {2, 2}}, flat, degree, refinements, shape);
   return {m.space, m.surface, steel_of(geometry::Expression(0.1)), true, false};
 }

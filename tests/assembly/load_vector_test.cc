@@ -8,7 +8,7 @@
 namespace plastron::assembly {
 namespace {
 
-ShellOperator cap_operator(int degree, int refinements, mesh::Shape shape = test::quadrilateral) {
+energy::ShellOperator cap_operator(int degree, int refinements, mesh::Shape shape = test::quadrilateral) {
   const auto m = test::meshed(domain::Disk{.radius = 0.8}, test::cap, degree, refinements, shape);
   return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
@@ -17,7 +17,7 @@ ShellOperator cap_operator(int degree, int refinements, mesh::Shape shape = test
 const double cap_area = 2 * std::numbers::pi * 2 * (2 - std::sqrt(4 - 0.64));
 
 TEST(LoadVector, AConstantForceSumsToForceTimesArea) {
-  AreaLoad load;
+  energy::AreaLoad load;
   load.force[2] = geometry::Expression(-3.0);
   load.couple[0] = geometry::Expression(0.5);
   const auto sum = test::total(load_vector(cap_operator(4, 2), {.on_areas = {load}}));
@@ -29,14 +29,14 @@ TEST(LoadVector, AConstantForceSumsToForceTimesArea) {
 // Pressure along the normal of a cap has the same total force as pressure on the disk that it spans.
 TEST(LoadVector, APressureSumsToPressureTimesProjectedArea) {
   const auto shell = cap_operator(4, 2);
-  AreaLoad load;
+  energy::AreaLoad load;
   load.pressure = geometry::Expression(2.0);
   const auto sum = test::total(load_vector(shell, {.on_areas = {load}}));
   EXPECT_NEAR(sum[2], 2 * std::numbers::pi * 0.64, 1e-9);
 }
 
 TEST(LoadVector, AnEdgeLoadSumsToForceTimesLengthOfTheCurveInSpace) {
-  EdgeLoad load{.boundary = "rim"};
+  energy::EdgeLoad load{.boundary = "rim"};
   load.force[1] = geometry::Expression(7.0);
   load.couple[2] = geometry::Expression("x^2", {});
   const auto sum = test::total(load_vector(cap_operator(4, 2), {.on_edges = {load}}));
@@ -47,9 +47,9 @@ TEST(LoadVector, AnEdgeLoadSumsToForceTimesLengthOfTheCurveInSpace) {
 
 TEST(LoadVector, TrianglesCarryTheSameTotals) {
   const auto shell = cap_operator(2, 4, test::triangle);
-  AreaLoad pressure;
+  energy::AreaLoad pressure;
   pressure.pressure = geometry::Expression(2.0);
-  EdgeLoad rim{.boundary = "rim"};
+  energy::EdgeLoad rim{.boundary = "rim"};
   rim.force[1] = geometry::Expression(7.0);
   const auto sum = test::total(load_vector(shell, {.on_areas = {pressure}, .on_edges = {rim}}));
   EXPECT_NEAR(sum[2], 2 * std::numbers::pi * 0.64, 1e-8);
@@ -58,7 +58,7 @@ TEST(LoadVector, TrianglesCarryTheSameTotals) {
 
 TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
   const auto shell = cap_operator(2, 1);
-  AreaLoad text, function;
+  energy::AreaLoad text, function;
   text.force = {geometry::Expression("x*y", {}), geometry::Expression("sin(x)", {}), geometry::Expression("1 + y", {})};
   function.force_function = [](double x, double y) { return Eigen::Vector3d(x * y, std::sin(x), 1 + y); };
   const auto a = load_vector(shell, {.on_areas = {text}}), b = load_vector(shell, {.on_areas = {function}});
@@ -68,7 +68,7 @@ TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
 // ---- loads made of pieces; more in piecewise_load_test.cc --------------------------------------------------------
 
 TEST(PiecewiseLoad, OnAnEdgeSumsToItsIntegral) {
-  EdgeLoad load{.boundary = "bottom"};
+  energy::EdgeLoad load{.boundary = "bottom"};
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   load.couple[1] = geometry::Expression("max(x - 0.3, 0)", {});
   for (const mesh::Shape shape : {test::quadrilateral, test::triangle}) {
@@ -80,10 +80,10 @@ TEST(PiecewiseLoad, OnAnEdgeSumsToItsIntegral) {
 
 TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
   const auto shell = cap_operator(3, 3);
-  AreaLoad piecewise, smooth;
+  energy::AreaLoad piecewise, smooth;
   piecewise.pressure = geometry::Expression("x < 5 ? 1 + x^2 : 0", {});
   smooth.pressure = geometry::Expression("1 + x^2", {});
-  EdgeLoad rim{.boundary = "rim"}, smooth_rim{.boundary = "rim"};
+  energy::EdgeLoad rim{.boundary = "rim"}, smooth_rim{.boundary = "rim"};
   rim.force[0] = geometry::Expression("max(x^2, -1)", {});
   smooth_rim.force[0] = geometry::Expression("x^2", {});
   const auto a = load_vector(shell, {.on_areas = {piecewise}, .on_edges = {rim}}),
@@ -94,7 +94,7 @@ TEST(PiecewiseLoad, ThatIsSmoothAfterAllIsTheSmoothLoad) {
 TEST(PiecewiseLoad, OnAShortPartOfAnEdgeSumsToItsIntegral) {
   for (const double length : {1e-3, 1e-4, 1e-5})
     for (const double start : {0.1234567, 0.25, 0.6180339887, 0.99}) {
-      EdgeLoad load{.boundary = "bottom"};
+      energy::EdgeLoad load{.boundary = "bottom"};
       load.force[1] = geometry::Expression("x > a && x < a + w ? 1 : 0", {{"a", start}, {"w", length}});
       EXPECT_NEAR(
           test::total(load_vector(test::plate_operator(2, test::quadrilateral), {.on_edges = {load}}))[1] / length, 1,
@@ -105,8 +105,8 @@ TEST(PiecewiseLoad, OnAShortPartOfAnEdgeSumsToItsIntegral) {
 
 TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
   const auto m = test::meshed(domain::Rectangle{.to = {1, 1}, .cells = {2, 2}}, test::flat, 2, 1);
-  const ShellOperator covariant(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, true);
-  AreaLoad load;
+  const energy::ShellOperator covariant(m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, true);
+  energy::AreaLoad load;
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   const auto a = load_vector(covariant, {.on_areas = {load}}),
              b = load_vector(test::plate_operator(2, test::quadrilateral), {.on_areas = {load}});
@@ -114,24 +114,24 @@ TEST(PiecewiseLoad, IsIntegratedAlikeWithCovariantInterpolation) {
 }
 
 TEST(LoadVector, OfALoadThatIsNotFiniteSaysWhere) {
-  AreaLoad area;
+  energy::AreaLoad area;
   area.pressure = geometry::Expression("log(x - 0.6)", {});
-  EdgeLoad edge{.boundary = "left"};
+  energy::EdgeLoad edge{.boundary = "left"};
   edge.couple[0] = geometry::Expression("sqrt(y - 0.9)", {});
-  for (const Loads& loads : {Loads{.on_areas = {area}}, Loads{.on_edges = {edge}}}) {
+  for (const energy::Loads& loads : {energy::Loads{.on_areas = {area}}, energy::Loads{.on_edges = {edge}}}) {
     try {
       load_vector(test::plate_operator(2, test::quadrilateral), loads);
       FAIL() << "accepted";
-    } catch (const LoadError& error) {
+    } catch (const energy::LoadError& error) {
       EXPECT_NE(std::string(error.what()).find("not a number near x = 0"), std::string::npos) << error.what();
     }
   }
 }
 
 TEST(Loads, NameTheirExpressionsAndPlaces) {
-  const Loads loads{.on_areas = {{.regions = {"a", "b"}}}, .on_edges = {{.boundary = "rim"}}};
+  const energy::Loads loads{.on_areas = {{.regions = {"a", "b"}}}, .on_edges = {{.boundary = "rim"}}};
   std::vector<std::string> names;
-  loads.for_each_expression([&](const geometry::Expression&, const std::string& name, const LoadPlace& place) {
+  loads.for_each_expression([&](const geometry::Expression&, const std::string& name, const energy::LoadPlace& place) {
     names.push_back(name);
     EXPECT_EQ(place.boundary, names.size() > 7 ? "rim" : "");
     EXPECT_EQ(place.regions.size(), names.size() > 7 ? 0u : 2u);

@@ -12,7 +12,7 @@ namespace plastron::assembly {
 namespace {
 
 TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
-  AreaLoad load;
+  energy::AreaLoad load;
   load.force[2] = geometry::Expression("x < 1/3 ? 1 : 0", {});
   load.pressure = geometry::Expression("sign(x + y - 0.7)", {});
   load.couple[0] = geometry::Expression("abs(x - 0.3)", {});
@@ -26,7 +26,7 @@ TEST(PiecewiseLoad, SumsToItsIntegralThoughItJumpsInsideOfCells) {
 
 /// The total force of a pressure on the plate of 16 cells.
 double pressed(const std::string& pressure, mesh::Shape shape = test::quadrilateral) {
-  AreaLoad load;
+  energy::AreaLoad load;
   load.pressure = geometry::Expression(pressure, {{"a", 0.3141592653}, {"b", 0.6180339887}});
   return test::total(load_vector(test::plate_operator(2, shape), {.on_areas = {load}}))[2];
 }

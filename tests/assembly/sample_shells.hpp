@@ -37,7 +37,7 @@ inline MeshedSurface meshed(const domain::Domain& domain, const std::array<std::
 }
 
 inline shell::Material steel_like() { return shell::Material::from_young_poisson(1.0, 0.3, 5.0 / 6); }
-inline assembly::CrossSections steel_of(const geometry::Expression& thickness) {
+inline energy::CrossSections steel_of(const geometry::Expression& thickness) {
   return {.common = {.thickness = thickness, .material = steel_like()}};
 }
 
@@ -65,8 +65,8 @@ inline algebra::Vector rigid_motion(const fem::Space& space, const std::vector<a
 
 /// The interpolant of a function of position on the mid-surface, its value (u, r).
 template <class Function>
-inline algebra::Vector interpolant(const assembly::ShellOperator& shell, const Function& f) {
-  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
+inline algebra::Vector interpolant(const energy::ShellOperator& shell, const Function& f) {
+  const auto points = assembly::nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
   algebra::Vector y(shell.space().layout, 6);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Matrix<double, 6, 1> value = f(points[i]);

@@ -10,7 +10,7 @@
 namespace plastron::assembly {
 namespace {
 
-ShellOperator make(const std::array<std::string, 3>& chart, const test::Element& element, int refinements) {
+energy::ShellOperator make(const std::array<std::string, 3>& chart, const test::Element& element, int refinements) {
   const auto [shape, degree, tying] = element;
   const auto m = test::meshed(test::skew(), chart, degree, refinements, shape);
   return {m.space, m.surface, test::steel_of(geometry::Expression("0.1 + 0.02*x", {})), tying, false};
@@ -34,11 +34,11 @@ INSTANTIATE_TEST_SUITE_P(Triangles, EveryElement,
                                           testing::Values(false)));
 
 TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
-  const ShellOperator shell = make(test::saddle, GetParam(), 1);
+  const energy::ShellOperator shell = make(test::saddle, GetParam(), 1);
   const algebra::Vector y = random_field(shell.space(), 1);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const element::CellField field = shell.gather(c, y);
-    const CellStrain strains = shell.strains(c, field);
+    const energy::CellStrain strains = shell.strains(c, field);
     const Eigen::VectorXd product =
         shell.strain_matrix(c) * Eigen::Map<const Eigen::VectorXd>(field.data(), field.size());
     const Eigen::Map<const Eigen::VectorXd> flat(strains.data(), strains.size());
@@ -47,10 +47,10 @@ TEST_P(EveryElement, TheStrainMatrixTimesAFieldIsItsStrain) {
 }
 
 TEST_P(EveryElement, ForcesAreTheTransposeOfStrains) {
-  const ShellOperator shell = make(test::saddle, GetParam(), 0);
+  const energy::ShellOperator shell = make(test::saddle, GetParam(), 0);
   const element::CellField v = shell.gather(0, random_field(shell.space(), 2));
-  const CellStrain e = shell.strains(0, v);
-  CellStrain s = CellStrain::Random(e.rows(), 8);
+  const energy::CellStrain e = shell.strains(0, v);
+  energy::CellStrain s = energy::CellStrain::Random(e.rows(), 8);
   const double through_strains = (s.array() * e.array()).sum(),
                through_forces = (shell.forces(0, s).array() * v.array()).sum();
   EXPECT_NEAR(through_strains, through_forces, 1e-11 * std::abs(s.norm() * e.norm()));
@@ -71,7 +71,7 @@ TEST_P(EveryElement, TheStiffnessMatrixMakesTheEnergy) {
 }
 
 TEST_P(EveryElement, ApplyIsTheDerivativeOfTheEnergy) {
-  const ShellOperator shell = make(test::saddle, GetParam(), 1);
+  const energy::ShellOperator shell = make(test::saddle, GetParam(), 1);
   const algebra::Vector y = random_field(shell.space(), 4);
   algebra::Vector f(shell.space().layout, 6);
   shell.apply(y, f);
@@ -82,7 +82,7 @@ TEST_P(EveryElement, ApplyIsTheDerivativeOfTheEnergy) {
 
 TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
   for (const auto& chart : {test::flat, test::saddle, test::cap}) {
-    const ShellOperator shell = make(chart, GetParam(), 1);
+    const energy::ShellOperator shell = make(chart, GetParam(), 1);
     const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
     const auto y = test::rigid_motion(shell.space(), points, {1, -2, 0.5}, {0, 0, 0});
     EXPECT_LT(shell.energies(y).total(), 1e-25);
@@ -90,7 +90,7 @@ TEST_P(EveryElement, ATranslationHasNoStrainAtAll) {
 }
 
 TEST_P(EveryElement, ARotationOfAFlatShellHasNoStrain) {
-  const ShellOperator shell = make(test::flat, GetParam(), 1);
+  const energy::ShellOperator shell = make(test::flat, GetParam(), 1);
   const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
   const auto y = test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7});
   EXPECT_LT(shell.energies(y).total(), 1e-25);
@@ -103,7 +103,7 @@ TEST_P(EveryElement, TheEnergyOfARotationFallsLikeTheMeshSizeToTheTwiceDegree) {
   for (const auto& chart : {test::saddle, test::cap}) {
     double energy[2];
     for (int i = 0; i < 2; ++i) {
-      const ShellOperator shell = make(chart, GetParam(), i + 2);
+      const energy::ShellOperator shell = make(chart, GetParam(), i + 2);
       const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
       energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
     }
@@ -114,7 +114,7 @@ TEST_P(EveryElement, TheEnergyOfARotationFallsLikeTheMeshSizeToTheTwiceDegree) {
 TEST(ShellOperator, TheRateOfARotationsEnergyIsAtMostWhatTheInterpolationGives) {
   double energy[2];
   for (int i = 0; i < 2; ++i) {
-    const ShellOperator shell = make(test::cap, {test::quadrilateral, 1, true}, i + 3);
+    const energy::ShellOperator shell = make(test::cap, {test::quadrilateral, 1, true}, i + 3);
     const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
     energy[i] = shell.energies(test::rigid_motion(shell.space(), points, {0, 0, 0}, {0.3, -0.4, 0.7})).total();
   }
@@ -123,7 +123,7 @@ TEST(ShellOperator, TheRateOfARotationsEnergyIsAtMostWhatTheInterpolationGives) 
 
 TEST(ShellOperatorDeathTest, TakesFieldsOfSixValuesANodeAndCellsThatAreThere) {
   if (test::cannot_watch_a_program_die()) GTEST_SKIP() << "assertions are off, or several ranks";
-  const ShellOperator shell = make(test::flat, {test::quadrilateral, 2, true}, 0);
+  const energy::ShellOperator shell = make(test::flat, {test::quadrilateral, 2, true}, 0);
   const algebra::Vector five(shell.space().layout, 5), six(shell.space().layout, 6);
   EXPECT_DEATH(shell.gather(0, five), "y.block\\(\\) == 6.* = gathered, 5, 45, 9");
   EXPECT_DEATH(shell.gather(1, six), "cell < cells.size\\(\\); cell, cells.size\\(\\) = 1, 1");

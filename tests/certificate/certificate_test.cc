@@ -89,7 +89,7 @@ Solved solve(const Sample& sample) {
            .discrete = nullptr,
            .nodal = {}};
   const obstacle::HalfSpace table{.point = {0, 0, sample.table}};
-  assembly::AreaLoad load{};
+  energy::AreaLoad load{};
   load.force[2] = geometry::Expression(sample.is_flat() ? "-1e-4*(1 + x*y)" : "-1e-3*(1 + 0.1*x)", {});
   s.discrete = assembly::discretise(s.mesh.space, s.mesh.surface,
                                     {.sections = test::steel_of(geometry::Expression(0.1)),

@@ -98,8 +98,8 @@ double opened(double distance, const shell::Material& material) {
   return opening * distance * distance * (3 * shell::bending_length(section) + distance);
 }
 
-assembly::CrossSections sections_of(const Scene& scene) {
-  assembly::CrossSections sections = test::steel_of(geometry::Expression(thickness));
+energy::CrossSections sections_of(const Scene& scene) {
+  energy::CrossSections sections = test::steel_of(geometry::Expression(thickness));
   for (const auto& [region, shear_correction] : scene.shear_corrections)
     sections.regions[region] = {.thickness = geometry::Expression(thickness),
                                 .material = shell::Material::from_young_poisson(1.0, 0.3, shear_correction)};
@@ -121,7 +121,7 @@ std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, const Elem
 }
 
 /// Value of the region that contains a place.
-const shell::Material& material_at(const Scene& scene, const assembly::CrossSections& sections, const Vector3d& phi) {
+const shell::Material& material_at(const Scene& scene, const energy::CrossSections& sections, const Vector3d& phi) {
   const auto* rectangle = std::get_if<domain::Rectangle>(&scene.domain);
   if (!rectangle || rectangle->regions.empty()) return sections.common.material;
   const auto right = std::ranges::upper_bound(rectangle->breaks, phi[0]) - rectangle->breaks.begin();
@@ -132,7 +132,7 @@ Given given(const Scene& scene, const Element& element, MPI_Comm comm) {
   Given g{.discrete = shell_of(scene, element, comm), .nodal = {}};
   const auto& layout = g.discrete->space().layout;
   const auto block = scene.obstacles.size();
-  const assembly::CrossSections sections = sections_of(scene);
+  const energy::CrossSections sections = sections_of(scene);
   g.nodal = {.y = algebra::Vector(layout, 6),
              .pressure = algebra::Vector(layout, static_cast<int>(block)),
              .touching = algebra::Vector(layout, static_cast<int>(block))};

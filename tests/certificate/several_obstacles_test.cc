@@ -39,7 +39,7 @@ std::ostream& operator<<(std::ostream& out, const Scene& scene) { return out << 
 /// One cell, clamped at one side. Two nodes are free, with at most four contact rows.
 std::unique_ptr<assembly::DiscreteShell> shell_of(const Scene& scene, bool with_obstacles) {
   const auto m = test::meshed(domain::Rectangle{}, scene.chart, 1, 0);
-  assembly::AreaLoad load;
+  energy::AreaLoad load;
   for (std::size_t k = 0; k < 3; ++k)
     load.force[k] = geometry::Expression(fmt::format("{}*(1 + y)", scene.force[static_cast<Index>(k)]), {});
   return assembly::discretise(m.space, m.surface,

@@ -58,7 +58,7 @@ problem::Problem between_planes() {
   problem::Problem p = with_chart(pressed_strip(), {"x", "y", "0.09 + 0.03*sin(2*pi*x)"});
   p.shell.sections.common.thickness = Expression(0.1);
   p.shell.loads.on_areas = {
-      assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression("0.05*sin(2*pi*x)", {})}}};
+      energy::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression("0.05*sin(2*pi*x)", {})}}};
   p.shell.obstacles.all = {{.name = "floor"},
                            {.name = "ceiling",
                             .shape = obstacle::HalfSpace{.point = {0, 0, 0.175}, .normal = {0, 0, -1}},
@@ -91,7 +91,7 @@ problem::Problem cantilever(const obstacle::Obstacle& obstacle, int degree, int 
   p.shell.sections.common.material = shell::Material::from_young_poisson(2e5, 0, 1);
   p.shell.rotations = rotations;
   p.shell.supports = {clamped("left")};
-  p.shell.loads.on_areas = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(-0.01)}}};
+  p.shell.loads.on_areas = {energy::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(-0.01)}}};
   p.shell.obstacles.all = {obstacle};
   return with(p, degree, 0);
 }

@@ -1,7 +1,7 @@
 // An error on one rank alone ends the computation on all ranks, with the same message. If it does not, the test hangs.
-#include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/computation/solve.hpp>
+#include <plastron/energy/load_vector.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Load, ThatIsInfiniteInOneCellIsAnErrorOfAllRanksThatNamesThePlace) {
   Problem problem = plate();
   problem.shell.loads.on_areas.emplace_back().force[2] =
       geometry::Expression("x > 0.8 ? (y > 0.8 ? 1e300^2 : 0) : 0", geometry::Constants{});
-  expect_error<assembly::LoadError>(problem, "near x = 0.8");
+  expect_error<energy::LoadError>(problem, "near x = 0.8");
 }
 
 TEST(Support, ThatContradictsAnotherAtOneNodeIsAnErrorOfAllRanks) {

@@ -137,7 +137,7 @@ TEST(GradedMesh, HoldsSupportsOnInnerCurves) {
 TEST(GradedMesh, GivesConstantResultantsExactly) {
   problem::Problem p = free_plate();
   p.shell.supports = {clamped("left")};
-  assembly::EdgeLoad bending{.boundary = "right"};
+  energy::EdgeLoad bending{.boundary = "right"};
   bending.couple = vector(1, 0, 0);
   p.shell.loads.on_edges = {bending};
   p.shell.sections.common.material = shell::Material::from_young_poisson(1e4, 0, 1);

@@ -133,7 +133,7 @@ problem::Problem tube() {
   p.shell.sections.common.material = shell::Material::from_young_poisson(1, 0, 1);
   p.joins = {{{"left", "right"}}};
   p.shell.supports = {{.boundary = "bottom", .components = {fixed(Unknown::displacement, Direction::y)}}};
-  p.shell.loads.on_areas = {assembly::AreaLoad{.pressure = Expression(1e-4)}};
+  p.shell.loads.on_areas = {energy::AreaLoad{.pressure = Expression(1e-4)}};
   p.discretisation = {.degree = 4, .refinements = 1};
   return p;
 }

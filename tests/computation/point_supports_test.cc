@@ -30,8 +30,8 @@ problem::Problem held_in_three_points(problem::Problem p) {
 }
 
 /// In the plane and across it, without resultant and moment: Legendre polynomials.
-assembly::AreaLoad balanced() {
-  assembly::AreaLoad load;
+energy::AreaLoad balanced() {
+  energy::AreaLoad load;
   load.force = {Expression("x - 0.5", {}), Expression(0.0), Expression("(6*x^2 - 6*x + 1) * (1 + y)", {})};
   return load;
 }
@@ -41,7 +41,7 @@ Eigen::Matrix3d turned() { return Eigen::AngleAxisd(0.9, Vector3d(1, 2, -0.5).no
 
 problem::Problem free_panel(const Eigen::Matrix3d& R = Eigen::Matrix3d::Identity()) {
   std::array<std::string, 3> chart;
-  assembly::AreaLoad load = balanced();
+  energy::AreaLoad load = balanced();
   const auto f = balanced().force;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -114,7 +114,7 @@ TEST(FreePanel, has_the_same_strains_whichever_points_hold_it) {
 problem::Problem curved_panel(int degree) {
   problem::Problem p = held_in_three_points(with_chart(free_plate(), {"sin(x - 0.5)", "y", "cos(x - 0.5)"}));
   // Along y. Resultant and moments are zero because the surface element is one and the section is symmetric.
-  assembly::AreaLoad load;
+  energy::AreaLoad load;
   load.force[1] = Expression("cos(2*(x - 0.5)) * (2*y - 1)", {});
   p.shell.loads.on_areas = {load};
   p.discretisation.degree = degree;

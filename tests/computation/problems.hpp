@@ -48,12 +48,12 @@ inline Support in_plane(const std::string& boundary) {
           .components = {fixed(Unknown::displacement, Direction::y), fixed(Unknown::rotation, Direction::y)}};
 }
 
-inline assembly::VectorExpression vector(double x, double y, double z) {
+inline energy::VectorExpression vector(double x, double y, double z) {
   return {Expression(x), Expression(y), Expression(z)};
 }
 
-inline assembly::AreaLoad force(double x, double y, double z) {
-  assembly::AreaLoad load;
+inline energy::AreaLoad force(double x, double y, double z) {
+  energy::AreaLoad load;
   load.force = vector(x, y, z);
   return load;
 }

@@ -147,7 +147,7 @@ TEST(Ranks, all_throw_for_a_probe_outside) {
 TEST(Ranks, all_throw_for_a_load_that_is_not_finite_on_one) {
   problem::Problem p = cantilever_plate();
   p.shell.loads.on_areas[0].pressure = Expression("x > 0.9 && y > 0.9 ? log(-x) : 1", {});
-  EXPECT_THROW(solve(p, MPI_COMM_WORLD), assembly::LoadError);
+  EXPECT_THROW(solve(p, MPI_COMM_WORLD), energy::LoadError);
 }
 
 TEST(Ranks, divide_cells_alike_where_a_load_jumps) {

@@ -20,7 +20,7 @@ struct Span {
   double young, thickness;
   double bending() const { return young * std::pow(thickness, 3) / 12; }
   double shear() const { return young / 2 * thickness; }
-  assembly::CrossSection section() const {
+  energy::CrossSection section() const {
     return {.thickness = Expression(thickness), .material = shell::Material::from_young_poisson(young, 0, 1)};
   }
 };

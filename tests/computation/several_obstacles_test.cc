@@ -25,7 +25,7 @@ problem::Problem strip(const std::string& height, const std::string& load, doubl
     p.shell.supports.push_back(
         {.boundary = side,
          .components = {fixed(Unknown::displacement, Direction::y), fixed(Unknown::rotation, Direction::y)}});
-  p.shell.loads.on_areas = {assembly::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(load, {})}}};
+  p.shell.loads.on_areas = {energy::AreaLoad{.force = {Expression(0.0), Expression(0.0), Expression(load, {})}}};
   p.shell.obstacles.all = {{.name = "floor"},
                            {.name = "ceiling",
                             .shape = obstacle::HalfSpace{.point = {0, 0, ceiling}, .normal = {0, 0, -1}},

@@ -53,28 +53,32 @@ std::string case_with(const std::string& chart, const std::string& domain = "dis
 // ---- what the program cannot do ----------------------------------------------------------------------------------------
 
 /// Words of other programs, as sections and as keys: each names its row of docs/limits.md and what to do.
-TEST(UnknownWord, OfSpringsFrictionAndPointLoadsNamesTheLimitAndWhatToDo) {
+TEST(UnknownWord, OfSpringsFrictionPointLoadsAndCasesNamesTheLimitAndWhatToDo) {
   struct Words {
     const char* limit;
     std::vector<std::string> sections, keys;
     const char* advice;
   };
-  const std::vector<Words> all{{"springs",
-                                {"spring", "springs", "foundation", "elastic_foundation", "elastic_support", "bed",
-                                 "elastic_bed", "bedding", "winkler", "subgrade"},
-                                {"[shell] foundation", "[shell] bed", "[[support]] spring", "[[support]] stiffness",
-                                 "[[support]] elastic", "[[obstacle]] spring", "[[obstacle]] stiffness"},
-                                "rigid supports"},
-                               {"friction",
-                                {"friction", "coulomb", "friction_coefficient"},
-                                {"[[obstacle]] friction", "[[obstacle]] mu", "[contact] friction",
-                                 "[[support]] friction", "[[obstacle]] friction_coefficient"},
-                                "supports instead of friction"},
-                               {"point-loads",
-                                {"force", "forces", "moment", "point_load", "point_loads", "point_force", "nodal_load",
-                                 "nodal_forces", "concentrated_load", "concentrated_force"},
-                                {"[[load]] point", "[[load]] at", "[[load]] node", "[[load]] point_load"},
-                                "a pressure on a small patch"}};
+  const std::vector<Words> all{
+      {"springs",
+       {"springs", "foundations", "elastic_foundation", "elastic_support", "bed", "elastic_bed", "bedding", "winkler",
+        "subgrade"},
+       {"[shell] foundation", "[shell] bed", "[[support]] spring", "[[support]] stiffness", "[[support]] elastic",
+        "[[obstacle]] spring", "[[obstacle]] stiffness", "[[spring]] body", "[[spring]] rigid_body",
+        "[[spring]] boundary", "[[join]] stiffness", "[[rigid_body]] stiffness", "[[rigid_body]] spring"},
+       "`[[spring]]` at a point"},
+      {"temperature", {"thermal", "heat"}, {"[shell] temperature", "[[load]] temperature"}, "`[[temperature]]`"},
+      {"load-cases", {"load_case", "load_cases", "loadcases", "combinations"}, {}, "`[[case]]` and `[[envelope]]`"},
+      {"friction",
+       {"friction", "coulomb", "friction_coefficient"},
+       {"[[obstacle]] friction", "[[obstacle]] mu", "[contact] friction", "[[support]] friction",
+        "[[obstacle]] friction_coefficient"},
+       "supports instead of friction"},
+      {"point-loads",
+       {"force", "forces", "moment", "point_load", "point_loads", "point_force", "nodal_load", "nodal_forces",
+        "concentrated_load", "concentrated_force"},
+       {"[[load]] point", "[[load]] at", "[[load]] node", "[[load]] point_load"},
+       "a pressure on a small patch"}};
   for (const auto& [limit, names, keys, advice] : all) {
     const auto says = AllOf(HasSubstr("unknown"), HasSubstr(std::string("(docs/limits.md, ") + limit + ")"),
                             HasSubstr(std::string("Instead: ") + advice));

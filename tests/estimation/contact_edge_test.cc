@@ -28,7 +28,7 @@ constexpr int columns = 16;
 
 /// A plate along x = xi_1 or, turned, along y, with this number of cells across.
 SolvedShell lying_plate(int degree, int rows, bool is_turned) {
-  assembly::AreaLoad load{};
+  energy::AreaLoad load{};
   load.force = {geometry::Expression(0.0), geometry::Expression(0.0), geometry::Expression(-0.02)};
   const auto direction = is_turned ? assembly::Direction::x : assembly::Direction::y;
   const auto symmetric = [&](const std::string& boundary) {  // nothing moves or turns across the plate

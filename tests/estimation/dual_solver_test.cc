@@ -38,7 +38,7 @@ struct Change {
 
 SolvedShell solved(const Scene& scene, const Change& change) {
   const geometry::Constants by{{"by", change.load}};
-  assembly::AreaLoad load{};
+  energy::AreaLoad load{};
   // Tension along x decides at which face of a flat plate the stress is larger.
   load.force = {geometry::Expression("by*y + 0.005", by), geometry::Expression("by*(1 - x*y)", by),
                 geometry::Expression("by*sin(3*x) - 0.02", by)};

@@ -22,7 +22,7 @@ ErrorProfile profile_of(const std::function<double(const Eigen::Vector2d&)>& str
   const auto discrete =
       assembly::discretise(meshes.space(), surface, {.sections = test::steel_of(geometry::Expression(0.1))});
   const std::vector<Eigen::Vector2d>& xi = discrete->shell.tables().quadrature.xi;
-  StrainErrors errors{.error = assembly::CellStrain::Zero(static_cast<Eigen::Index>(xi.size()), 8),
+  StrainErrors errors{.error = energy::CellStrain::Zero(static_cast<Eigen::Index>(xi.size()), 8),
                       .stresses = {},
                       .incompatibility = {}};
   for (std::size_t q = 0; q < xi.size(); ++q) errors.error(static_cast<Eigen::Index>(q), 3) = strain(xi[q]);

@@ -33,7 +33,7 @@ class SolvedSaddle {
     for (int i = 0; i < choice.refinements; ++i) meshes.refine({});
     std::map<std::string, geometry::Chart> charts;
     charts.emplace("", geometry::Chart(test::saddle, {}));
-    assembly::AreaLoad load{};
+    energy::AreaLoad load{};
     load.force = {geometry::Expression(0.0), geometry::Expression(0.0), geometry::Expression(-0.02)};
     assembly::ShellDescription shell{.sections = test::steel_of(geometry::Expression(0.1)),
                                      .tying = choice.tying,

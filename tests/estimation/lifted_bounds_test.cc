@@ -33,7 +33,7 @@ class Saddle {
   explicit Saddle(const Shell& given)
       : mesh_(plastron::test::meshed(domain::Rectangle{.cells = {4, 4}}, plastron::test::saddle, given.degree, 0,
                                      given.cells)) {
-    assembly::AreaLoad load{};
+    energy::AreaLoad load{};
     load.force = {geometry::Expression(0.005), geometry::Expression(0.0), geometry::Expression(-0.02)};
     shell_ = {.sections = plastron::test::steel_of(geometry::Expression(0.1)),
               .supports = {plastron::test::clamp("left"), plastron::test::clamp("right")},

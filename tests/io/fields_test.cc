@@ -36,14 +36,14 @@ TEST(Fields, are_one_vector_or_one_array_a_component) {
 TEST(Fields, without_obstacle_tell_nothing_of_contact) {
   std::set<std::string_view> missing;
   for (const Field& field : fields()) missing.insert(field.key);
-  for (const Field& field : fields_of(false, true)) missing.erase(field.key);
+  for (const Field& field : fields_of({.multiplier = true, .foundation = true})) missing.erase(field.key);
   EXPECT_EQ(missing, (std::set<std::string_view>{"gap", "eta", "contact"}));
 }
 
 TEST(Fields, without_multiplier_tell_nothing_of_lambda) {
   std::set<std::string_view> missing;
   for (const Field& field : fields()) missing.insert(field.key);
-  for (const Field& field : fields_of(true, false)) missing.erase(field.key);
+  for (const Field& field : fields_of({.obstacle = true, .foundation = true})) missing.erase(field.key);
   EXPECT_EQ(missing, (std::set<std::string_view>{"lambda"}));
 }
 

@@ -18,7 +18,7 @@ problem::Problem pressed_plate(const PressedPlate& options) {
         support.components.push_back({.unknown = unknown, .direction = direction});
     problem.shell.supports.push_back(support);
   }
-  assembly::AreaLoad load;
+  energy::AreaLoad load;
   load.force[2] = geometry::Expression(-6e3);
   problem.shell.loads.on_areas.push_back(load);
   if (options.obstacle) problem.shell.obstacles.all = {obstacle::Obstacle{}};

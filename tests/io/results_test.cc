@@ -42,6 +42,8 @@ computation::Result some_result(bool has_obstacle) {
   result.summary.corner_reactions = {{.boundaries = {"left", "rim"}, .at = {0, 1}, .reaction = {.force = {0, 0, 1}}}};
   result.singular_places = {{.what = "corner", .at = {0, 1}, .radius = 0.1}};
   result.layers = {{.region = "web", .layer = 2, .angle = 45, .component = "12", .most = {.stress = 3}}};
+  result.summary.foundations = {{.name = "soil", .reaction = {.force = {0, 0, 4}}, .energy = 0.5},
+                                {.name = "prop", .is_spring = true, .reaction = {.force = {0, 0, 1}}, .energy = 0.25}};
   result.summary.body_reactions = {{.name = "plate", .rotation = {0, 0.5, 0}, .reaction = {.force = {0, 0, 3}}}};
   result.estimates = {.cells = {1e-6}, .energy_norm_squared = 1e-6};
   result.estimates->geometry = {.largest = 1e-6, .judged_share = 1};

@@ -56,7 +56,7 @@ TEST(Vtu, has_the_cells_of_the_mesh_with_their_own_points) {
 TEST(Vtu, has_every_array_of_the_table_with_its_unit) {
   const Written w = written({});
   std::vector<std::string> expected{"points"};
-  for (const Field& field : fields_of(true, false))
+  for (const Field& field : fields_of({.obstacle = true}))
     for (const std::string& name : field.arrays) {
       expected.emplace_back(name);
       ASSERT_TRUE(w.file.arrays.contains(expected.back())) << name;

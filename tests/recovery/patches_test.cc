@@ -23,7 +23,7 @@ using Field = std::function<FieldJet(const Eigen::Vector2d&)>;
 const std::vector<Eigen::Vector2d> samples{{0.1, 0.2}, {0.3, 0.3}, {0.6, 0.05}, {0.2, 0.75}, {0, 0}};
 
 struct Interpolated {
-  Interpolated(const test::MeshedSurface& m, const Field& field, const assembly::CrossSections& sections,
+  Interpolated(const test::MeshedSurface& m, const Field& field, const energy::CrossSections& sections,
                bool tying = true)
       : discrete(assembly::discretise(m.space, m.surface, {.sections = sections, .tying = tying})),
         solution{algebra::Vector(m.space->layout, 6), algebra::Vector(m.space->layout, 1),
@@ -262,7 +262,7 @@ TEST(Patches, DoNotSmearAJumpOfTheThickness) {
   std::map<std::string, geometry::Chart> charts;
   for (const char* region : {"thin", "thick"}) charts.emplace(region, geometry::Chart(test::flat, {}));
   const test::MeshedSurface m{meshes.space(), std::make_shared<const fem::Surface>(meshes.space()->coarse, charts)};
-  assembly::CrossSections sections = test::steel_of(geometry::Expression(0.1));
+  energy::CrossSections sections = test::steel_of(geometry::Expression(0.1));
   sections.regions["thick"] = {.thickness = geometry::Expression(0.2), .material = test::steel_like()};
   const Field stretch = [](const Eigen::Vector2d& x) {
     FieldJet y{Vector6::Zero(), Vector6::Zero(), Vector6::Zero()};

@@ -11,8 +11,8 @@
 namespace plastron::spectra {
 namespace {
 
-assembly::ShellOperator shell_on(const domain::Domain& domain, const std::array<std::string, 3>& chart, int degree,
-                                 int refinements) {
+energy::ShellOperator shell_on(const domain::Domain& domain, const std::array<std::string, 3>& chart, int degree,
+                               int refinements) {
   const auto m = test::meshed(domain, chart, degree, refinements);
   return {m.space, m.surface, test::steel_of(geometry::Expression(0.1)), true, false};
 }
@@ -20,7 +20,7 @@ assembly::ShellOperator shell_on(const domain::Domain& domain, const std::array<
 // u = (x^2, x y, 0), r = (0, y, 1) on the unit square:
 // int |u|^2 = 1/5 + 1/9, int |grad u|^2 = 4/3 + 1/3 + 1/3, int |r|^2 = 1/3 + 1, int |grad r|^2 = 1.
 TEST(FieldNorms, OfPolynomialsOnTheFlatSquareAreTheirIntegrals) {
-  const assembly::ShellOperator shell = shell_on(domain::Rectangle{.cells = {2, 1}}, test::flat, 2, 1);
+  const energy::ShellOperator shell = shell_on(domain::Rectangle{.cells = {2, 1}}, test::flat, 2, 1);
   const auto y = test::interpolant(shell, [](const assembly::NodalPoint& p) {
     const double a = p.x[0], b = p.x[1];
     return (Eigen::Matrix<double, 6, 1>() << a * a, a * b, 0, 0, b, 1).finished();
@@ -42,8 +42,8 @@ TEST(FieldNorms, DoNotDependOnTheParameters) {
   };
   const domain::Polygon skewed{
       {{0, 0}, {1, 0}, {1.5, 1}, {0.5, 1}}};  // the parallelogram over which phi is the unit square
-  const assembly::ShellOperator straight = shell_on(domain::Rectangle{.cells = {2, 2}}, {"x", "y", "0"}, 2, 1);
-  const assembly::ShellOperator skew = shell_on(skewed, {"x - y/2", "y", "0"}, 2, 1);
+  const energy::ShellOperator straight = shell_on(domain::Rectangle{.cells = {2, 2}}, {"x", "y", "0"}, 2, 1);
+  const energy::ShellOperator skew = shell_on(skewed, {"x - y/2", "y", "0"}, 2, 1);
   const SquaredNorms a = squared_norms(straight, test::interpolant(straight, f)),
                      b = squared_norms(skew, test::interpolant(skew, f));
   EXPECT_NEAR(a.u, b.u, 1e-12);
@@ -54,7 +54,7 @@ TEST(FieldNorms, DoNotDependOnTheParameters) {
 
 // On a sphere |phi| = 2 about the centre c, int |phi - c|^2 dS = 4 area and int |grad phi|^2 dS = 2 area.
 TEST(FieldNorms, OfThePositionOnASphereKnowItsRadiusAndArea) {
-  const assembly::ShellOperator shell = shell_on(domain::Disk{.radius = 0.5}, test::cap, 4, 2);
+  const energy::ShellOperator shell = shell_on(domain::Disk{.radius = 0.5}, test::cap, 4, 2);
   const Eigen::Vector3d centre(0, 0, 2);
   const auto y = test::interpolant(shell, [&](const assembly::NodalPoint& p) {
     return (Eigen::Matrix<double, 6, 1>() << p.phi - centre, Eigen::Vector3d::Zero()).finished();
@@ -67,7 +67,7 @@ TEST(FieldNorms, OfThePositionOnASphereKnowItsRadiusAndArea) {
 
 // u = (0, 0, x), r = (c, 0, 0) on a plate: r_K = (-1, 0, 0), so |r - r_K| = |1 + c| at every point.
 TEST(DistanceToKoiter, OfAPlateIsThatOfRAndMinusTheSlope) {
-  const assembly::ShellOperator shell = shell_on(domain::Rectangle{.to = {2, 1}, .cells = {2, 1}}, test::flat, 2, 1);
+  const energy::ShellOperator shell = shell_on(domain::Rectangle{.to = {2, 1}, .cells = {2, 1}}, test::flat, 2, 1);
   for (const double c : {-1.0, 0.0, 0.5}) {
     const auto y = test::interpolant(shell, [&](const assembly::NodalPoint& p) {
       return (Eigen::Matrix<double, 6, 1>() << 0, 0, p.x[0], c, 0, 0).finished();
@@ -77,8 +77,8 @@ TEST(DistanceToKoiter, OfAPlateIsThatOfRAndMinusTheSlope) {
 }
 
 TEST(DistanceToKoiter, OfARigidMotionIsZero) {
-  const assembly::ShellOperator shell = shell_on(domain::Rectangle{.cells = {2, 2}}, test::saddle, 3, 1);
-  const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
+  const energy::ShellOperator shell = shell_on(domain::Rectangle{.cells = {2, 2}}, test::saddle, 3, 1);
+  const auto points = assembly::nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
   const auto y = test::rigid_motion(shell.space(), points, {1, 2, 3}, {0.3, -0.2, 0.5});
   EXPECT_LT(std::sqrt(squared_distance_to_koiter(shell, y)), 1e-2 * std::sqrt(squared_norms(shell, y).r));
 }

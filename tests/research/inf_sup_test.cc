@@ -1,7 +1,7 @@
 // Inf-sup constants of b (M14) and c (M19) and soft modes, against dense matrices from the forms themselves.
 #include "assembly/sample_shells.hpp"
 
-#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 #include <research/spectra/field_norms.hpp>
 #include <research/spectra/spectra.hpp>
 

@@ -147,8 +147,9 @@ SectionForces laminate_forces(int seed, double load_factor = 0) {
   auto stack = layers(carbon, {20, -60, 90});
   stack[1].part = 2;
   stack[2].strain = {0.01, -0.02, 0.005};
-  f.laminate = std::make_shared<const LaminateSection>(std::make_shared<const Laminate>(stack, Vector3d(1, 0.4, 0)),
-                                                       plane(), f.thickness, 5.0 / 6, load_factor);
+  f.laminate =
+      std::make_shared<const LaminateSection>(std::make_shared<const Laminate>(stack, Vector3d(1, 0.4, 0)), plane(),
+                                              f.thickness, 5.0 / 6, InitialState{.strains = load_factor});
   return f;
 }
 
@@ -189,7 +190,7 @@ TEST(Laminate, HasTheShearStiffnessWithTheEnergyOfItsShearStresses) {
     if (seed % 2 == 0)
       stack[1].material = Orthotropic{.E1 = 0.1, .E2 = 0.2, .nu12 = 0.1, .G12 = 0.1, .G13 = 0.02, .G23 = 0.01};
     f.laminate = std::make_shared<const LaminateSection>(std::make_shared<const Laminate>(stack, Vector3d(1, more, 0)),
-                                                         plane(), f.thickness, 5.0 / 6, 0);
+                                                         plane(), f.thickness, 5.0 / 6, InitialState{});
     const auto energy = over_layers(f, [&](std::size_t k, double z) {
       const Eigen::Vector2d own = stress_of(f.laminate->stress_in_layer_axes(k, z), f).shear;
       const Orthotropic& m = stack[k].material;
@@ -238,13 +239,13 @@ TEST(LaminateStress, OfAHomogeneousLaminateIsThatOfAHomogeneousSection) {
     homogeneous.laminate = nullptr;
     f.laminate = std::make_shared<const LaminateSection>(
         std::make_shared<const Laminate>(layers(carbon, {25, 25, 25}), Vector3d(1, 0.4, 0)), plane(), f.thickness, 1,
-        0);
+        InitialState{});
     for (const double z : {-0.05, -0.03, 0.0, 0.01, 0.05}) {
       EXPECT_LT((in_plane_stress(f, z) - in_plane_stress(homogeneous, z)).norm(), 1e-11);
     }
     f.laminate = std::make_shared<const LaminateSection>(
         std::make_shared<const Laminate>(layers(Orthotropic::isotropic(3, 0.3), {25, 5}), Vector3d(1, 0.4, 0)), plane(),
-        f.thickness, 1, 0);
+        f.thickness, 1, InitialState{});
     for (const double z : {-0.05, -0.03, 0.0, 0.01, 0.05}) {
       EXPECT_LT((in_plane_stress(f, z) - in_plane_stress(homogeneous, z)).norm(), 1e-11);
       EXPECT_LT((shear_stress(f, z) - shear_stress(homogeneous, z)).norm(), 1e-11);
@@ -307,6 +308,49 @@ TEST(InitialStrain, CurlsAStripOfTwoMetalsAsTimoshenkoSays) {
       6 * strain * (1 + m) * (1 + m) / (h * (3 * (1 + m) * (1 + m) + (1 + m * n) * (m * m + 1 / (m * n))));
   EXPECT_NEAR(free[3], -expected, 1e-12 * expected);  // the lower layer grows: fibres above the mid-surface get shorter
   EXPECT_NEAR(free[4], 0, 1e-15);
+}
+
+// A temperature is the sum of a strain that is alike in all layers and of one that is linear in the height.
+TEST(Temperature, StrainsALaminateLikeInitialStrainsOfItsLayers) {
+  const double mean = 30, difference = -50, h = 0.02;
+  std::vector<Layer> stack{{.material = Orthotropic{.E1 = 2, .E2 = 1, .nu12 = 0.2, .G12 = 0.4, .G13 = 0.3, .G23 = 0.2},
+                            .part = 0.4,
+                            .angle = 0.3},
+                           {.material = Orthotropic::isotropic(1.5, 0.3), .part = 0.6, .angle = -1}};
+  stack[0].material.expansion1 = 1e-5;
+  stack[0].material.expansion2 = 3e-5;
+  stack[1].material.expansion1 = stack[1].material.expansion2 = 2e-5;
+  std::vector<Layer> thin;  // each layer in many, with the strain of the temperature in its middle
+  const int parts = 400;
+  double z = -0.5;
+  for (const Layer& layer : stack)
+    for (int k = 0; k < parts; ++k) {
+      Layer one = layer;
+      one.part = layer.part / parts;
+      one.strain = (mean + (z + one.part / 2) * difference) * layer.material.expansion();
+      z += one.part;
+      thin.push_back(one);
+    }
+  const Vector8 by_temperature = section_at(stacked(stack), plane(), h, {.temperature = mean, .difference = difference})
+                                     .initial_resultants(),
+                by_strains = section_at(stacked(thin), plane(), h).initial_resultants();
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(by_temperature[k], by_strains[k], 1e-5 * std::abs(by_strains[k]) + 1e-18) << k;
+}
+
+TEST(Temperature, StrainsOneIsotropicLayerLikeThatMaterial) {
+  const double expansion = 1.2e-5;
+  const InitialState hot{.temperature = 40, .difference = 15};
+  Material material = Material::from_young_poisson(3, 0.3, 1);
+  std::get<Isotropic>(material.law).expansion = expansion;
+  const geometry::Frame frame = orthonormal_frame(Vector3d(1, 0, 0), Vector3d(0, 0.6, 0.8));
+  const Vector8 own = section_at(material, frame, 0.1, hot).initial_resultants(),
+                of_layer =
+                    section_at(stacked({{.material = Orthotropic::isotropic(3, 0.3, expansion)}}), frame, 0.1, hot)
+                        .initial_resultants();
+  EXPECT_LT((own - of_layer).norm(), 1e-12 * own.norm());
+  EXPECT_NEAR(own[0], 0.1 * 3 / 0.7 * expansion * 40, 1e-15);
+  EXPECT_NEAR(own[3], 0.1 * 0.1 * 3 / 0.7 / 12 * expansion * 15, 1e-16);
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST_P(PlaneProblem, HasTheEnergyAndTheReactionOfTheReference) {
   problem.charts.emplace("", geometry::Chart({"x", "y", "z0"}, {{"z0", p.height}}));
   problem.shell.sections.common.thickness = Expression(p.thickness);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  assembly::AreaLoad load{};
+  energy::AreaLoad load{};
   load.force = {Expression(0.0), Expression(0.0), Expression("-(" + p.load + ")", {})};
   problem.shell.loads.on_areas = {load};
   problem.shell.supports = {clamped("left"), clamped("right")};
@@ -271,7 +271,7 @@ problem::Problem resting(const std::string& height, double load) {
   problem.charts.emplace("", geometry::Chart({"x", "y", height}, {}));
   problem.shell.sections.common.thickness = Expression(0.05);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(1, 0.3, 1);
-  assembly::AreaLoad weight{};
+  energy::AreaLoad weight{};
   weight.force = {Expression(0.0), Expression(0.0), Expression(-load)};
   problem.shell.loads.on_areas = {weight};
   problem.shell.supports = {at_point({0, 0}, {assembly::Direction::x, assembly::Direction::y}),

@@ -10,7 +10,7 @@ namespace plastron::verification {
 
 namespace {
 
-using assembly::CellStrain;
+using energy::CellStrain;
 
 struct FinePoints {
   std::vector<Eigen::Vector2d> xi;
@@ -55,7 +55,7 @@ struct Squares {
 
 double energy_error(const computation::Solution& solution, const Manufactured& exact) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   const FinePoints fine = fine_points(shell.space().shape(), shell.space().degree);
   const auto basis = element::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
   const auto tied = element::tied_interpolation(shell.tables(), fine.xi);
@@ -85,7 +85,7 @@ double energy_error(const computation::Solution& solution, const Manufactured& e
 }
 
 double l2_error(const computation::Solution& solution, const Manufactured& exact) {
-  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const energy::ShellOperator& shell = solution.discrete->shell;
   const FinePoints fine = fine_points(shell.space().shape(), shell.space().degree);
   const auto basis = element::basis_at(shell.space().shape(), shell.space().degree, fine.xi);
   Squares sum;

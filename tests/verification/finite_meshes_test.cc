@@ -93,7 +93,7 @@ computation::Result solved(const problem::Problem& problem, const std::string& n
 TEST(FiniteRotations, HaveTheNumbersOfTheLinearModelAtSmallLoads) {
   for (const Part& part : parts()) {
     problem::Problem p = clamped(part);
-    assembly::AreaLoad load;
+    energy::AreaLoad load;
     for (std::size_t k = 0; k < 3; ++k) load.force[k] = geometry::Expression(1e-5 * (1 + static_cast<double>(k)));
     p.shell.loads.on_areas = {load};
     const double linear = solved(p, part.name).summary.energy.total();

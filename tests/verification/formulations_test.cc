@@ -6,9 +6,9 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/assembly/box_problem.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/contact/solve.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 
 #include <fmt/format.h>
@@ -108,7 +108,7 @@ TEST_P(InEachFormulation, TheClampedSaddleHasItsDeflectionToFourDigits) {
 
 /// The right-hand side of lambda's own equation, int (M^{ab} b_{ab} + m . a_3) q sqrt(a) dx, with M from a solution.
 algebra::Vector moment_potential_load(const computation::Solution& solution) {
-  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const energy::ShellOperator& shell = solution.discrete->shell;
   algebra::Vector load(shell.space().layout, 1);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
     const auto stresses = shell.weighted_stresses(c, shell.strains(c, shell.gather(c, solution.nodal.y)));
@@ -134,7 +134,7 @@ double multiplier_error(int refinements) {
   EXPECT_EQ(tangent.status, contact::Status::solved);
   EXPECT_EQ(mixed.status, contact::Status::solved);
   const auto& discrete = *mixed.solution->discrete;
-  const algebra::Matrix gradients = assembly::gradient_matrix(discrete.shell);
+  const algebra::Matrix gradients = energy::gradient_matrix(discrete.shell);
   algebra::Factorisation factor(gradients);
   const auto zeros = assembly::multiplier_zeros(discrete.coordinates, *discrete.space().layout);
   EXPECT_TRUE(factor.factorise(zeros));
@@ -143,10 +143,10 @@ double multiplier_error(int refinements) {
     if (zeros[i]) load.owned()[i] = 0;
   factor.solve(load, lambda);
   lambda.update_ghosts();
-  const double norm = assembly::gradient_norm(discrete.shell, lambda);
+  const double norm = energy::gradient_norm(discrete.shell, lambda);
   algebra::axpy(-1, mixed.solution->nodal.lambda, lambda);
   lambda.update_ghosts();
-  return assembly::gradient_norm(discrete.shell, lambda) / norm;
+  return energy::gradient_norm(discrete.shell, lambda) / norm;
 }
 
 TEST(Multiplier, LambdaConvergesToTheSolutionOfItsOwnEquation) {

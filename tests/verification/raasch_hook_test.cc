@@ -60,7 +60,7 @@ void load(const std::string& clamped, const std::string& tip, problem::Problem& 
     for (const Direction d : {Direction::x, Direction::y, Direction::z})
       support.components.push_back({unknown, d, geometry::Expression(0.0)});
   problem.shell.supports = {support};
-  assembly::EdgeLoad shear{.boundary = tip};
+  energy::EdgeLoad shear{.boundary = tip};
   shear.force[1] = geometry::Expression(1 / width);
   problem.shell.loads.on_edges = {shear};
 }

@@ -51,8 +51,8 @@ Support in_plane(const std::string& boundary) {
           .components = {zero(Unknown::displacement, Direction::y), zero(Unknown::rotation, Direction::y)}};
 }
 
-assembly::AreaLoad downward(double p) {
-  assembly::AreaLoad load{};
+energy::AreaLoad downward(double p) {
+  energy::AreaLoad load{};
   load.force = {Expression(0.0), Expression(0.0), Expression(-p)};
   return load;
 }
@@ -294,7 +294,7 @@ problem::Problem manufactured_problem(const Manufactured& exact, int degree, int
   problem.shell.sections.common.thickness = Expression(e);
   problem.shell.sections.common.material = shell::Material::from_young_poisson(E, nu, k_s);
   problem.shell.supports = {clamped("left"), clamped("right"), clamped("bottom"), clamped("top")};
-  assembly::AreaLoad load{};
+  energy::AreaLoad load{};
   load.force_function = [exact](double x, double y) { return exact.force(x, y); };
   load.couple_function = [exact](double x, double y) { return exact.couple(x, y); };
   problem.shell.loads.on_areas = {load};
@@ -328,7 +328,7 @@ LinearReference free_hyperboloid(double thickness, ShearCorrection k, int degree
   problem.domain = domain::Rectangle{.from = {0, 0}, .to = {std::numbers::pi / 2, 1}, .cells = {2, 2}};
   problem.charts.emplace("", geometry::Chart({"sqrt(1 + y^2)*cos(x)", "sqrt(1 + y^2)*sin(x)", "y"}, {}));
   problem.shell.supports = {symmetry("left"), symmetry("right"), symmetry("bottom")};  // y = 0, x = 0, z = 0
-  assembly::AreaLoad load{};
+  energy::AreaLoad load{};
   load.pressure = Expression("p*cos(2*x)", {{"p", 1e4 * std::pow(thickness, 3)}});  // a_3 points away from the axis
   problem.shell.loads.on_areas = {load};
   problem.probes = {{"waist", {0, 0}}};

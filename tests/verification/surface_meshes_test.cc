@@ -138,7 +138,7 @@ problem::Problem roof_problem(problem::Problem problem) {
   problem.shell.supports = {edge_support("crown", {Direction::conormal}, {Direction::conormal}),
                             edge_support("middle", {Direction::conormal}, {Direction::conormal}),
                             edge_support("diaphragm", {Direction::x, Direction::z}, {Direction::tangent})};
-  assembly::AreaLoad weight;
+  energy::AreaLoad weight;
   weight.force[2] = geometry::Expression(-90.0);
   problem.shell.loads.on_areas = {weight};
   problem.probes = {
@@ -219,7 +219,7 @@ computation::Result standing_cube(int axis, element::Formulation formulation = e
   problem::Problem problem = problem_on(surface_of(mesh), 2, 1);
   problem.shell.supports = {point_support({0, 0, 0.025}, {Direction::x, Direction::y}),
                             point_support({0.5, 0, 0.025}, {Direction::y})};
-  assembly::AreaLoad weight;
+  energy::AreaLoad weight;
   weight.force[2] = geometry::Expression(-1.0);
   problem.shell.loads.on_areas = {weight};
   problem.shell.obstacles.all = {obstacle::Obstacle{}};
@@ -253,7 +253,7 @@ double energy_on_ball(const Vector3d& centre, const std::vector<obstacle::Face>&
   problem::Problem problem =
       problem_on(surface_of(star(Shape::quadrilateral, 2, 1, {0, pi / 2}), {{"rim", on_border}}), 3, 0);
   problem.shell.supports = {edge_support("rim", {Direction::x, Direction::y, Direction::z})};
-  assembly::AreaLoad load;
+  energy::AreaLoad load;
   for (const std::size_t k : {0, 2}) load.force[k] = geometry::Expression(-1000.0);
   problem.shell.loads.on_areas = {load};
   for (const obstacle::Face face : faces)

@@ -73,8 +73,8 @@ cylinder = {{ axis = [0, 1, 0], radius = {2} }}
   }
 }
 
-// A plate with held edges that is heated does not move: the energy of its strains is 0.
-TEST(VanishingSum, OfTheEnergyOfAHeatedPlateIsReached) {
+// A plate with held edges that is heated does not move: it stores the energy of its initial strains.
+TEST(InitialStrains, StoreTheirEnergyInAHeldPlate) {
   for (const auto& [L, E] : all_sizes)
     for (const char* layers :
          {"{ material = \"st\", thickness = 1, strain = [1e-4, 1e-4, 0] }",
@@ -98,7 +98,7 @@ fix = ["u", "r"]
 )case",
                                              200000 * E, layers, 2 * L, 200 * L));
       expect_quiet(result);
-      EXPECT_LT(result.summary.energy.total(), 1e-12 * result.summary.initial_energy);
+      EXPECT_NEAR(result.summary.energy.total() / result.summary.initial_energy, 1, 1e-9);
     }
 }
 
@@ -151,7 +151,9 @@ fix = {8}
             weight > 0 ? R"(["u.y"])" : R"(["u.y", "u.z"])",
             weight > 0 ? on_table : fmt::format("[[support]]\npoint = [0, {}]\nfix = [\"u.z\"]\n", 30 * L)));
         EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits << rotations << weight;
-        EXPECT_NEAR(result.summary.energy.total() / (15.9 * E * L * L * L), 1, 3e-2);
+        // Its own curvature stores nothing. With finite rotations the saddle has strains in its surface.
+        const double stored = result.summary.energy.total() / (E * L * L * L);
+        EXPECT_NEAR(stored, rotations == "small" ? 0 : 0.1152, 3e-3) << rotations << weight;
         EXPECT_THAT(result.warnings, testing::Not(testing::Contains(testing::HasSubstr("support at the point"))));
       }
 }

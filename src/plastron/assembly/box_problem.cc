@@ -1,7 +1,7 @@
 #include <plastron/assembly/box_problem.hpp>
 
 #include <plastron/algebra/factorisation.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 
 #include <Eigen/Cholesky>
 
@@ -24,9 +24,9 @@ void scale_rows(const Eigen::Matrix<double, size, size>& stiffness, double area,
 
 /// Computes C' B, where C C' is the weighted section stiffness at each point. The element matrix is then (C' B)'
 /// (C' B).
-void scale_by_stiffness(const ShellOperator& shell, std::size_t cell, RowMatrix& b) {
+void scale_by_stiffness(const energy::ShellOperator& shell, std::size_t cell, RowMatrix& b) {
   for (int q = 0; q < shell.tables().points_per_cell(); ++q) {
-    const QuadraturePoint p = shell.point(cell, q);
+    const energy::QuadraturePoint p = shell.point(cell, q);
     if (p.section.is_coupled()) {
       scale_rows(p.section.in_plane(), p.area, 8 * q, b);
     } else {
@@ -79,7 +79,7 @@ double closing(const NodalCoordinates& coordinates, const RigidObstacles& obstac
   return coordinates.gaps[k][row.node].normal.dot(obstacles.all[k].force.normalized());
 }
 
-RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
+RowMatrix gram(const energy::ShellOperator& shell, const RowMatrix& b) {
   RowMatrix k(b.cols(), b.cols());
   shell.kernels().gram(b.data(), static_cast<int>(b.rows()), static_cast<int>(b.cols()), k.data());
   k.triangularView<Eigen::StrictlyUpper>() = k.transpose();
@@ -88,11 +88,23 @@ RowMatrix gram(const ShellOperator& shell, const RowMatrix& b) {
 
 }  // namespace
 
-constraints::NodeColumns material_stiffness(const ShellOperator& shell, const NodalCoordinates& coordinates,
-                                            std::size_t cell, const CellGeometry& at) {
+std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout) {
+  std::vector<char> zeros(static_cast<std::size_t>(layout.owned));
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+    zeros[i] = coordinates.is_prescribed(i, NodalCoordinates::normal_rotation);
+  return zeros;
+}
+
+constraints::NodeColumns material_stiffness(const DiscreteShell& discrete, const NodalCoordinates& coordinates,
+                                            std::size_t cell, const energy::CellGeometry& at) {
+  const energy::ShellOperator& shell = discrete.shell;
   auto [nodes, b] = in_coordinates(coordinates, coordinates.space->nodes(cell), shell.strain_matrix(cell, at));
   scale_by_stiffness(shell, cell, b);
-  return {std::move(nodes), gram(shell, b)};
+  constraints::NodeColumns k{std::move(nodes), gram(shell, b)};
+  for (const auto& term : discrete.terms)
+    if (auto own = term->stiffness(shell, cell))
+      k.matrix += on_both_sides(coordinates, coordinates.space->nodes(cell), std::move(*own)).matrix;
+  return k;
 }
 
 std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coordinates,
@@ -120,23 +132,20 @@ std::vector<contact::Activity> likely_activity(const NodalCoordinates& coordinat
 }
 
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
-  const ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   const NodalCoordinates& coordinates = discrete.coordinates;
-  const double tangency_factor = discrete.tangency_factor();
-  return matrix_of_cells(shell.space(), coordinates.width, [&](std::size_t c) {
-    constraints::NodeColumns k = material_stiffness(shell, coordinates, c, shell.geometry(c));
-    if (tangency_factor > 0)
-      k.matrix += gram(shell, in_coordinates(coordinates, coordinates.space->nodes(c),
-                                             scaled_normal_rotation_matrix(shell, c, tangency_factor))
-                                  .matrix);
-    return k;
+  algebra::Matrix matrix = sum_over_cells(shell.space(), coordinates.width, [&](std::size_t c) {
+    return material_stiffness(discrete, coordinates, c, shell.geometry(c));
   });
+  coordinates.add_bed_stiffness(matrix);
+  matrix.finish();
+  return matrix;
 }
 
 contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Matrix& matrix) {
   const auto& layout = discrete.space().layout;
   algebra::Vector load(layout, discrete.coordinates.width);
-  algebra::Vector forces = discrete.load;
+  algebra::Vector forces = loads_and_initial_forces(discrete);
   discrete.coordinates.add_transposed(forces, load);
   // Scratch vectors live as long as the operator because it is applied many times.
   const auto y = std::make_shared<algebra::Vector>(layout, 6), f = std::make_shared<algebra::Vector>(layout, 6);
@@ -145,6 +154,7 @@ contact::BoxProblem box_problem(const DiscreteShell& discrete, const algebra::Ma
     discrete.apply(*y, *f);
     result.fill(0);
     discrete.coordinates.add_transposed(*f, result);
+    discrete.coordinates.add_bed_forces(z, result);
   };
   contact::BoxProblem problem{.matrix = matrix,
                               .apply = apply,

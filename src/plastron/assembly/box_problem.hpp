@@ -23,25 +23,34 @@ inline contact::Activity bound_of(const ContactRow& row) {
 /// above one half if contact is likely.
 std::vector<contact::Activity> likely_activity(const NodalCoordinates& coordinates, const algebra::Vector& zone);
 
+/// Marks the owned nodes where lambda = 0. Precondition: the coordinates belong to a relaxed formulation.
+std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const algebra::Layout& layout);
+
 /// Returns the sum of the cells' matrices in coordinates of this width: of_cell(cell) is the matrix of an owned cell on its
-/// sources (collective).
+/// sources. It is not finished (collective).
 template <class OfCell>
-algebra::Matrix matrix_of_cells(const fem::Space& space, int width, const OfCell& of_cell) {
+algebra::Matrix sum_over_cells(const fem::Space& space, int width, const OfCell& of_cell) {
   algebra::Matrix matrix(space.layout, width, space.constraints.couplings(space.connectivity));
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const constraints::NodeColumns k = of_cell(c);
     matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
   }
+  return matrix;
+}
+/// Returns the same, finished.
+template <class OfCell>
+algebra::Matrix matrix_of_cells(const fem::Space& space, int width, const OfCell& of_cell) {
+  algebra::Matrix matrix = sum_over_cells(space, width, of_cell);
   matrix.finish();
   return matrix;
 }
 
-/// Returns the matrix of a(., .) in nodal coordinates, including the form of normal_rotation.hpp (collective).
+/// Returns the matrix of a(., .) and of all terms in nodal coordinates (collective).
 algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
 
-/// Returns the matrix of a cell's part of (M8) in nodal coordinates, with the strains' derivative at a state.
-constraints::NodeColumns material_stiffness(const ShellOperator& shell, const NodalCoordinates& coordinates,
-                                            std::size_t cell, const CellGeometry& at);
+/// Returns the matrix of a cell's part of (M8) and of the terms in nodal coordinates, with the strains' derivative at a state.
+constraints::NodeColumns material_stiffness(const DiscreteShell& discrete, const NodalCoordinates& coordinates,
+                                            std::size_t cell, const energy::CellGeometry& at);
 
 /// Returns the forces of the obstacles in the order of pressed_obstacles().
 std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coordinates,

@@ -158,14 +158,16 @@ std::vector<NodeSupport> remaining_supports(std::vector<NodeSupport> supports, c
   return supports;
 }
 
-void turn_body_loads(const fem::Space& space, const fem::Space& turned, algebra::Vector& load) {
-  algebra::Vector before(load.layout(), 6), now(load.layout(), 6);
+void turn_body_loads(const fem::Space& space, const fem::Space& turned, const energy::Factors& factors,
+                     algebra::Vector& load) {
   for (std::size_t k = 0; k < space.bodies.size(); ++k) {
+    algebra::Vector before(load.layout(), 6), now(load.layout(), 6);
     fem::add_body_load(space, space.bodies[k], before);
     fem::add_body_load(turned, turned.bodies[k], now);
+    const double factor = factors.load(space.bodies[k].body.factor);
+    algebra::axpy(-factor, before, load);
+    algebra::axpy(factor, now, load);
   }
-  algebra::axpy(-1, before, load);
-  algebra::axpy(1, now, load);
 }
 
 }  // namespace plastron::assembly

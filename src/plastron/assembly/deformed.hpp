@@ -36,6 +36,7 @@ std::vector<NodeSupport> remaining_supports(std::vector<NodeSupport> supports, c
                                             const algebra::Vector& y);
 
 /// Moves the loads on rigid bodies with them, from `space` to `turned`: dead forces, and moments about the reference points.
-void turn_body_loads(const fem::Space& space, const fem::Space& turned, algebra::Vector& load);
+void turn_body_loads(const fem::Space& space, const fem::Space& turned, const energy::Factors& factors,
+                     algebra::Vector& load);
 
 }  // namespace plastron::assembly

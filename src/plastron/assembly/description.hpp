@@ -1,12 +1,16 @@
 // Data of a discrete shell that do not depend on the mesh, as plain values.
 #pragma once
-#include <plastron/assembly/cross_sections.hpp>
-#include <plastron/assembly/loads.hpp>
 #include <plastron/assembly/supports.hpp>
 #include <plastron/element/formulation.hpp>
+#include <plastron/energy/cross_sections.hpp>
+#include <plastron/energy/foundation.hpp>
+#include <plastron/energy/loads.hpp>
 #include <plastron/obstacle/gap.hpp>
 
 #include <Eigen/Core>
+
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace plastron::assembly {
@@ -23,6 +27,11 @@ struct RigidObstacles {
   bool are_linear = false;  ///< gaps are linear: (M16) at the undeformed shell, in every state
 
   bool empty() const { return all.empty(); }
+  /// Returns the obstacle that has a bed: at most one.
+  std::optional<std::size_t> on_bed() const {
+    const auto found = std::ranges::find_if(all, &obstacle::Obstacle::has_bed);
+    return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
+  }
   Vector3d way(std::size_t k) const { return moved.empty() ? Vector3d(0, 0, 0) : moved[k]; }
   /// Returns the gap (M16) against obstacle k, with the normals of the linearisation.
   obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at) const {
@@ -74,13 +83,14 @@ struct RigidObstacles {
 
 /// A shell without its mesh and its charts.
 struct ShellDescription {
-  CrossSections sections{};  ///< thickness, material and density, by region
-  bool tying = true;         ///< (M22); triangles are never tied
+  energy::CrossSections sections{};  ///< thickness, material and density, by region
+  bool tying = true;                 ///< (M22); triangles are never tied
   element::Tangency tangency{};
   element::Rotations rotations = element::Rotations::small;
   bool is_objective = false;  ///< with finite rotations: ShellOperator::interpolate_reference()
   std::vector<Support> supports{};
-  Loads loads{};
+  energy::Loads loads{};
+  std::vector<energy::Foundation> foundations{};
   RigidObstacles obstacles{};
 };
 

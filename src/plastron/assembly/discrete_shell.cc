@@ -2,12 +2,13 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/deformed.hpp>
-#include <plastron/assembly/follower_pressure.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/energy/follower_pressure.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace plastron::assembly {
 
@@ -32,26 +33,39 @@ algebra::Vector places_and_directors(const fem::Space& space, const std::vector<
   return all;
 }
 
+/// Returns the factor of the form of normal_rotation.hpp: 1/p (M13), rho (M14) or zero.
+double tangency_factor(const element::Tangency& tangency) {
+  if (tangency.formulation == element::Formulation::penalised) return 1 / tangency.penalty;
+  return tangency.formulation == element::Formulation::mixed ? tangency.stabilisation : 0;
+}
+
 }  // namespace
 
 std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> space,
                                           std::shared_ptr<const fem::Surface> surface,
                                           const ShellDescription& description, State state) {
-  ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
-                      description.tangency.formulation == element::Formulation::classical);
+  energy::ShellOperator shell(std::move(space), std::move(surface), description.sections, description.tying,
+                              description.tangency.formulation == element::Formulation::classical);
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
   if (description.is_objective) shell.interpolate_reference(places_and_directors(shell.space(), points));
-  auto load = load_vector(shell, description.loads);
-  auto follower = algebra::in_agreement<LoadError>(shell.space().layout->comm,
-                                                   [&] { return follower_pressure(shell, description.loads); });
+  auto loads = energy::load_parts(shell, description.loads);
+  energy::Terms terms;
+  if (const double factor = tangency_factor(description.tangency); factor > 0)
+    terms.push_back(energy::normal_rotation_term(factor));
+  std::vector<std::pair<energy::Foundation, std::shared_ptr<const energy::Term>>> foundations;
+  for (const energy::Foundation& foundation : description.foundations) {
+    foundations.emplace_back(foundation, energy::foundation_term(shell, foundation));
+    if (foundations.back().second) terms.push_back(foundations.back().second);
+  }
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
-                                                                .full_load = std::move(load),
+                                                                .loads = std::move(loads),
+                                                                .terms = std::move(terms),
+                                                                .foundations = std::move(foundations),
                                                                 .obstacles_at_start = description.obstacles,
                                                                 .tangency = description.tangency,
-                                                                .supports = description.supports,
-                                                                .rotations = description.rotations,
-                                                                .follower_pressure = std::move(follower)});
+                                                                .all_supports = description.supports,
+                                                                .rotations = description.rotations});
   linearise(*discrete, std::move(state));
   return discrete;
 }
@@ -82,13 +96,22 @@ void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Spac
   discrete.moved = moved_points(discrete.points, y);
   discrete.places = body_places(discrete.space(), discrete.points, y);
   space = turned_space(space, discrete.points, discrete.moved, discrete.places);
-  turn_body_loads(discrete.space(), *space, discrete.unit_load);
-  if (!discrete.follower_pressure.empty())
-    algebra::axpy(1, change_of_follower_forces(discrete.shell, discrete.follower_pressure, y), discrete.unit_load);
-  algebra::axpy(-1, initial_forces(discrete.shell), discrete.unit_load);  // part of stresses()
   discrete.coordinates =
       nodal_coordinates(std::move(space), discrete.moved, remaining_supports(std::move(supports), discrete.points, y),
                         discrete.obstacles, element::Formulation::tangent, increments);
+}
+
+/// Returns the forces of all loads at the state, with these factors (collective).
+algebra::Vector forces_of_loads(const DiscreteShell& discrete, const energy::Factors& factors) {
+  algebra::Vector sum(discrete.space().layout, 6);
+  for (const energy::LoadPart& part : discrete.loads) {
+    const double factor = factors.load(part.factor);
+    algebra::axpy(factor, part.forces, sum);
+    if (discrete.has_finite_rotations() && part.follows)
+      algebra::axpy(factor, change_of_follower_forces(discrete.shell, part.pressure, discrete.state.displacement), sum);
+  }
+  if (discrete.has_finite_rotations()) turn_body_loads(discrete.space(), *discrete.coordinates.space, factors, sum);
+  return sum;
 }
 
 }  // namespace
@@ -96,20 +119,20 @@ void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Spac
 void linearise(DiscreteShell& discrete, State state) {
   discrete.state = std::move(state);
   discrete.obstacles = discrete.obstacles_at_start.standing(discrete.state);
-  discrete.unit_load = discrete.full_load;
-  const double part = discrete.state.factors.supports;
-  auto space = fem::with_part_of_motions(discrete.shell.space_pointer(), part);
-  auto supports = node_supports(*space, discrete.shell.surface(), discrete.points, discrete.supports);
-  for (NodeSupport& support : supports)
-    for (auto* rows : {&support.displacement, &support.rotation})
-      for (auto& [direction, value] : *rows) value *= part;
+  const energy::Factors& factors = discrete.state.factors;
+  discrete.supports.clear();
+  std::ranges::copy_if(discrete.all_supports, std::back_inserter(discrete.supports),
+                       [&](const Support& support) { return !factors.is_released(support.factor); });
+  auto space = fem::with_part_of_motions(discrete.shell.space_pointer(),
+                                         [&](const fem::RigidBody& body) { return factors.support(body.factor); });
+  auto supports = node_supports(*space, discrete.shell.surface(), discrete.points, discrete.supports, factors);
   if (discrete.has_finite_rotations())
     linearise_deformed(discrete, std::move(space), std::move(supports));
   else
     discrete.coordinates = nodal_coordinates(std::move(space), discrete.points, supports, discrete.obstacles,
                                              discrete.tangency.formulation, discrete.state);
-  discrete.load = discrete.unit_load;
-  for (double& value : discrete.load.local()) value *= discrete.state.factors.loads;
+  discrete.load = forces_of_loads(discrete, factors);
+  discrete.initial_forces = energy::initial_forces(discrete.shell, factors);
 }
 
 std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,
@@ -119,30 +142,63 @@ std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, s
   return shell.gather(cell, state.displacement);
 }
 
-CellGeometry DiscreteShell::geometry(std::size_t cell) const {
+energy::CellGeometry DiscreteShell::geometry(std::size_t cell) const {
   return has_finite_rotations() ? shell.geometry(cell, shell.gather(cell, state.displacement)) : shell.geometry(cell);
 }
 
-CellStrain DiscreteShell::strains(std::size_t cell, const algebra::Vector& y) const {
+energy::CellStrain DiscreteShell::strains(std::size_t cell, const algebra::Vector& y) const {
   const element::CellField field = shell.gather(cell, y);
   return has_finite_rotations() ? shell.finite_strains(cell, field) : shell.strains(cell, field);
 }
 
-CellStrain DiscreteShell::stresses(std::size_t cell, const CellStrain& strains) const {
-  CellStrain stresses = shell.weighted_stresses(cell, strains);
-  if (const auto initial = shell.weighted_initial_stresses(cell)) stresses -= state.factors.loads * *initial;
+energy::CellStrain DiscreteShell::stresses(std::size_t cell, const energy::CellStrain& strains) const {
+  energy::CellStrain stresses = shell.weighted_stresses(cell, strains);
+  if (const auto initial = shell.weighted_initial_stresses(cell, state.factors)) stresses -= *initial;
   return stresses;
 }
 
-Energies DiscreteShell::energies(const algebra::Vector& y) const {
-  if (!has_finite_rotations()) return shell.energies(y);
-  return shell.energies_of([&](std::size_t cell) { return strains(cell, y); });
+energy::Energies DiscreteShell::energies(const algebra::Vector& y) const {
+  if (!has_finite_rotations() && !shell.sections().have_initial_strains()) return motion_energies(y);
+  return energies_of([&](std::size_t cell) { return strains(cell, y); }, y);
 }
 
-Energies DiscreteShell::motion_energies(const algebra::Vector& y) const {
-  if (!has_finite_rotations()) return shell.energies(y);
-  return shell.energies_of(
-      [&](std::size_t cell) { return shell.strains(cell, shell.gather(cell, y), geometry(cell)); });
+energy::Energies DiscreteShell::energies_of(const std::function<energy::CellStrain(std::size_t)>& strains_at,
+                                            const algebra::Vector& y) const {
+  energy::Energies energies = shell.energies_of([&](std::size_t cell) {
+    energy::CellStrain elastic = strains_at(cell);
+    if (const auto initial = shell.initial_strains(cell, state.factors)) elastic -= *initial;
+    return elastic;
+  });
+  energies.foundations = energy_of_terms(y, false);
+  return energies;
+}
+
+energy::Energies DiscreteShell::motion_energies(const algebra::Vector& y) const {
+  energy::Energies energies = has_finite_rotations() ? shell.energies_of([&](std::size_t cell) {
+    return shell.strains(cell, shell.gather(cell, y), geometry(cell));
+  })
+                                                     : shell.energies(y);
+  energies.foundations = energy_of_terms(y, false);
+  return energies;
+}
+
+bool DiscreteShell::has_follower_pressure() const { return std::ranges::any_of(loads, &energy::LoadPart::follows); }
+
+Eigen::VectorXd DiscreteShell::follower_pressure(std::size_t cell) const {
+  Eigen::VectorXd sum;
+  for (const energy::LoadPart& part : loads) {
+    if (part.pressure.empty() || part.pressure[cell].size() == 0) continue;
+    const Eigen::VectorXd own = state.factors.load(part.factor) * part.pressure[cell];
+    sum = sum.size() == 0 ? own : Eigen::VectorXd(sum + own);
+  }
+  return sum;
+}
+
+double DiscreteShell::energy_of_terms(const algebra::Vector& y, bool are_artificial) const {
+  double sum = 0;
+  for (const auto& term : terms)
+    if (term->is_artificial() == are_artificial) sum += term->energy(shell, y);
+  return sum;
 }
 
 obstacle::ShellPoint DiscreteShell::shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
@@ -184,55 +240,62 @@ std::vector<double> DiscreteShell::positions() const {
   return all;
 }
 
-double DiscreteShell::tangency_factor() const {
-  if (tangency.formulation == element::Formulation::penalised) return 1 / tangency.penalty;
-  return tangency.formulation == element::Formulation::mixed ? tangency.stabilisation : 0;
-}
-
 void DiscreteShell::apply(const algebra::Vector& y, algebra::Vector& f) const {
   PLASTRON_ASSERT(algebra::ghosts_are_current(y), "update_ghosts() before apply()");
   PLASTRON_ASSERT(!has_finite_rotations());
   f.fill(0);
   shell.add_product(y, f);
-  if (tangency_factor() > 0) add_normal_rotation_form(shell, tangency_factor(), y, f);
+  for (const auto& term : terms) term->add_forces(shell, y, f);
   f.accumulate_ghosts();
 }
 
 void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const {
-  if (has_finite_rotations())
-    f = forces_of_stresses(
-        shell, [&](std::size_t c) { return stresses(c, strains(c, y)); },
-        [&](std::size_t c) { return shell.geometry(c, shell.gather(c, y)); });
-  else
-    apply(y, f);
+  f = forces_of_energy(*this, y);
   algebra::axpy(-1, load, f);
+}
+
+void add_forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f) {
+  if (discrete.terms.empty()) return;
+  algebra::Vector own(f.layout(), 6);
+  for (const auto& term : discrete.terms) term->add_forces(discrete.shell, y, own);
+  own.accumulate_ghosts();
+  algebra::axpy(1, own, f);
 }
 
 algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete) {
   algebra::Vector loads = discrete.load;
-  if (discrete.has_finite_rotations())
-    algebra::axpy(discrete.state.factors.loads, initial_forces(discrete.shell), loads);
+  algebra::axpy(1, discrete.initial_forces, loads);
   return loads;
 }
 
 algebra::Vector load_rate(const DiscreteShell& discrete) {
-  const ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
+  const energy::Factors rates =
+      discrete.state.factors.load_rates(discrete.state.control ? discrete.state.control->factor : -1);
   algebra::Vector rate = forces_of_stresses(
       shell,
       [&](std::size_t c) {
-        const auto initial = shell.weighted_initial_stresses(c);
-        return initial ? *initial : CellStrain(CellStrain::Zero(shell.tables().points_per_cell(), 8));
+        const auto initial = shell.weighted_initial_stresses(c, rates);
+        return initial ? *initial : energy::CellStrain(energy::CellStrain::Zero(shell.tables().points_per_cell(), 8));
       },
       [&](std::size_t c) { return discrete.geometry(c); });
-  algebra::axpy(1, discrete.unit_load, rate);
+  algebra::axpy(1, forces_of_loads(discrete, rates), rate);
   return rate;
 }
 
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y) {
-  const ShellOperator& shell = discrete.shell;
-  return forces_of_stresses(
-      shell, [&](std::size_t c) { return shell.weighted_stresses(c, discrete.strains(c, y)); },
+  const energy::ShellOperator& shell = discrete.shell;
+  algebra::Vector f(y.layout(), 6);
+  if (!discrete.has_finite_rotations()) {
+    discrete.apply(y, f);
+    algebra::axpy(-1, discrete.initial_forces, f);
+    return f;
+  }
+  f = forces_of_stresses(
+      shell, [&](std::size_t c) { return discrete.stresses(c, discrete.strains(c, y)); },
       [&](std::size_t c) { return shell.geometry(c, shell.gather(c, y)); });
+  add_forces_of_terms(discrete, y, f);
+  return f;
 }
 
 }  // namespace plastron::assembly

@@ -5,13 +5,15 @@
 // coordinates are those of increments from the state, on the deformed shell: at a solution they are 0.
 #pragma once
 #include <plastron/assembly/description.hpp>
-#include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
-#include <plastron/assembly/shell_operator.hpp>
+#include <plastron/energy/load_vector.hpp>
+#include <plastron/energy/shell_operator.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace plastron::assembly {
@@ -21,21 +23,24 @@ namespace plastron::assembly {
 enum class FieldKind { solution, motion };
 
 struct DiscreteShell {
-  ShellOperator shell;
+  energy::ShellOperator shell;
   std::vector<NodalPoint> points;
-  algebra::Vector full_load;  ///< Cartesian nodal forces and couples at load factor 1 (block 6)
+  std::vector<energy::LoadPart> loads;
+  energy::Terms terms;  ///< of the potential, besides the strain energy
+  /// The foundations of the description, each with its term; null where its stiffness is 0.
+  std::vector<std::pair<energy::Foundation, std::shared_ptr<const energy::Term>>> foundations;
   RigidObstacles obstacles_at_start;
   element::Tangency tangency;
-  std::vector<Support> supports{};
+  std::vector<Support> all_supports{};
   element::Rotations rotations = element::Rotations::small;
-  std::vector<Eigen::VectorXd> follower_pressure{};  ///< see follower_pressure.hpp
 
   // Data of the state:
   State state{};
+  std::vector<Support> supports{};  ///< those that are not released
   RigidObstacles obstacles{};
   NodalCoordinates coordinates{};
-  algebra::Vector unit_load{};           ///< full_load (with finite rotations: see linearise())
-  algebra::Vector load{};                ///< load factor times unit_load
+  algebra::Vector load{};                ///< Cartesian nodal forces and couples of all loads (block 6)
+  algebra::Vector initial_forces{};      ///< forces of the initial strains on the undeformed shell (block 6)
   std::vector<NodalPoint> moved{};       ///< moved_points() of the state; empty with small rotations
   std::vector<fem::BodyPlace> places{};  ///< places of the rigid bodies in the state; empty with small rotations
 
@@ -54,22 +59,30 @@ struct DiscreteShell {
                                                   const element::CellField& field) const;
   /// Returns the vectors by which the strains of motions depend on a cell: of the state, or of the undeformed shell if rotations
   /// are small.
-  CellGeometry geometry(std::size_t cell) const;
+  energy::CellGeometry geometry(std::size_t cell) const;
   /// Returns the strains at the quadrature points of a cell with nodal values y.
-  CellStrain strains(std::size_t cell, const algebra::Vector& y) const;
+  energy::CellStrain strains(std::size_t cell, const algebra::Vector& y) const;
   /// Returns N, M, Q of strains at the quadrature points, times area, less those of initial strains.
-  CellStrain stresses(std::size_t cell, const CellStrain& strains) const;
-  /// Returns the three parts of the energy (collective) [J].
-  Energies energies(const algebra::Vector& y) const;
-  /// Returns the three parts of 1/2 a(y, y) for a motion y, a with the stiffness of the material at the state (collective)
-  /// [J].
-  Energies motion_energies(const algebra::Vector& y) const;
+  energy::CellStrain stresses(std::size_t cell, const energy::CellStrain& strains) const;
+  /// Returns the stored energy of a solution: of the stresses, W = 1/2 (eps - eps_0) . C (eps - eps_0), and of the terms that are not
+  /// artificial (collective) [J].
+  energy::Energies energies(const algebra::Vector& y) const;
+  /// Returns the same of strains that follow, where `strains_at` are those of the cells. Terms are those of y (collective) [J].
+  energy::Energies energies_of(const std::function<energy::CellStrain(std::size_t cell)>& strains_at,
+                               const algebra::Vector& y) const;
+  /// Returns the parts of 1/2 a(y, y) for a motion y, with all terms that are not artificial, a with the stiffness of the material at
+  /// the state (collective) [J].
+  energy::Energies motion_energies(const algebra::Vector& y) const;
+  /// Whether some load follows the shell.
+  bool has_follower_pressure() const;
+  /// Returns the following pressures on a cell at the factors of the state, times quadrature weight; empty where there are none.
+  Eigen::VectorXd follower_pressure(std::size_t cell) const;
   /// Returns a point of the shell after a motion (u, r). With small rotations r . a_3 moves no face.
   obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                    const Vector6& motion) const;
-  /// Factor of the form of normal_rotation.hpp: 1/p (M13), rho (M14) or zero.
-  double tangency_factor() const;
-  /// Computes f = A y through strains, including the form of normal_rotation.hpp. Needs y's ghosts (collective).
+  /// Returns 1/2 y . K y of the artificial terms, or of the others (collective) [J].
+  double energy_of_terms(const algebra::Vector& y, bool are_artificial) const;
+  /// Computes f = A y through strains, including all terms. Needs y's ghosts (collective).
   /// Precondition: small rotations.
   void apply(const algebra::Vector& y, algebra::Vector& f) const;
   /// Computes the forces of supports and obstacles on owned nodes, A y - l or the derivative of (M27). Forces at
@@ -93,14 +106,14 @@ struct DiscreteShell {
 };
 
 /// Linearises the shell at another state: gaps at the faces that the state has moved, their coordinates and bounds, and
-/// the loads. With finite rotations directors keep their lengths, the loads of rigid bodies turn with them, and initial stresses are
-/// no loads; the state has a displacement afterwards, zero if it had none (collective). Throws SupportError, ObstacleError.
+/// the loads. With finite rotations directors keep their lengths, and the loads of rigid bodies turn with them; the state has a
+/// displacement afterwards, zero if it had none (collective). Throws SupportError, ObstacleError, energy::LoadError.
 void linearise(DiscreteShell& discrete, State state);
 
 /// Returns the forces of stresses, B' S, on owned nodes. Forces at constrained nodes have not yet been moved to others.
 /// `stresses_of(cell)`: stresses at the cell's quadrature points, times area; `geometry_of(cell)`: that of B (collective).
 template <class StressesOf, class GeometryOf>
-algebra::Vector forces_of_stresses(const ShellOperator& shell, const StressesOf& stresses_of,
+algebra::Vector forces_of_stresses(const energy::ShellOperator& shell, const StressesOf& stresses_of,
                                    const GeometryOf& geometry_of) {
   algebra::Vector f(shell.space().layout, 6);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
@@ -109,12 +122,13 @@ algebra::Vector forces_of_stresses(const ShellOperator& shell, const StressesOf&
   return f;
 }
 
-/// Returns the derivative of the energy (M27) at (u, r) = y, without the share of initial strains, like forces_of_stresses()
-/// (collective).
+/// Adds the forces of all terms at y to f, complete on owned nodes (collective).
+void add_forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f);
+
+/// Returns the derivative of the potential without loads at (u, r) = y, like forces_of_stresses() (collective).
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);
 
-/// Returns the loads at owned nodes with the forces of initial stresses, which are no loads of a shell with finite rotations. They are
-/// what the forces of a shell that nothing else loads are compared with (collective).
+/// Returns the loads at owned nodes with the forces of initial strains on the undeformed shell.
 algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete);
 
 /// Returns the derivative of loads less internal forces by the load factor on owned nodes, at the state of a shell with finite

@@ -131,7 +131,10 @@ std::vector<char> deciding_at_kinks(const fem::Space& space) {
 
 /// Returns the coordinates of one owned node. A constrained node has no bounds: its rows touch no obstacle.
 NodeCoordinates owned_coordinates(const NodalCoordinates& all, std::size_t i, const NodalPoint& point,
-                                  const NodeSupport& support, const State& state, double size) {
+                                  const NodeSupport& support, const RigidObstacles& obstacles, const State& state,
+                                  double size) {
+  const std::optional<std::size_t> bed = obstacles.on_bed();
+  const double stiffness = bed ? obstacles.all[*bed].bed : 0;
   NodeCoordinates node;
   if (all.space->constraints.constrains(i)) {
     node = constrained_coordinates(*all.space, static_cast<algebra::LocalIndex>(i), point, support, size);
@@ -147,6 +150,7 @@ NodeCoordinates owned_coordinates(const NodalCoordinates& all, std::size_t i, co
     node = node_coordinates(point, support, gaps, lifts, state.at(i), size);
   }
   for (ContactRow& row : node.rows) row.node = i;
+  if (bed) put_on_bed(all.space->constraints.constrains(i) ? std::nullopt : bed, stiffness, point, node);
   return node;
 }
 
@@ -169,7 +173,7 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const fem::Space& space = *space_pointer;
   const MPI_Comm comm = space.layout->comm;
   const auto local = static_cast<std::size_t>(space.layout->local_size());
-  const int width = element::is_relaxed(formulation) ? 6 : 5;
+  const int width = element::is_relaxed(formulation) || obstacles.on_bed() ? 6 : 5;
   NodalCoordinates coordinates{.width = width,
                                .basis = std::vector<NodeBasis>(local),
                                .space = std::move(space_pointer),
@@ -196,9 +200,10 @@ NodalCoordinates nodal_coordinates(std::shared_ptr<const fem::Space> space_point
   const std::vector<char> decides = deciding_at_kinks(space);
   algebra::in_agreement<SupportError, obstacle::ObstacleError>(comm, [&] {
     for (std::size_t i = 0; i < supports.size(); ++i) {
-      NodeCoordinates node = owned_coordinates(coordinates, i, points[i], supports[i], state, size);
+      NodeCoordinates node = owned_coordinates(coordinates, i, points[i], supports[i], obstacles, state, size);
       // The forms (M13) and (M14) see only gradients of r . a_3: at kinks it vanishes, as on Gamma_0, on all sides.
-      if (decides[i]) node.lower[NodalCoordinates::normal_rotation] = node.upper[NodalCoordinates::normal_rotation] = 0;
+      if (decides[i] && !obstacles.on_bed())
+        node.lower[NodalCoordinates::normal_rotation] = node.upper[NodalCoordinates::normal_rotation] = 0;
       Eigen::Map<NodeBasis>{bases.at(i).data()} = node.basis;
       std::copy_n(node.lower.begin(), width, coordinates.lower.at(i).begin());
       std::copy_n(node.upper.begin(), width, coordinates.upper.at(i).begin());
@@ -228,6 +233,28 @@ void add_all_transposed(std::span<const NodeBasis> bases, const double* f, doubl
 }
 
 }  // namespace
+
+void NodalCoordinates::add_bed_forces(const algebra::Vector& z, algebra::Vector& forces) const {
+  for (const ContactRow& row : rows) {
+    if (row.bed == 0) continue;
+    const std::size_t surface = at(row.node, row.coordinate), gap = at(row.node, row.gap_coordinate);
+    const double force = row.bed * (z.local()[surface] - row.gap_scale * z.local()[gap]);
+    forces.local()[surface] += force;
+    forces.local()[gap] -= row.gap_scale * force;
+  }
+}
+
+void NodalCoordinates::add_bed_stiffness(algebra::Matrix& matrix) const {
+  for (const ContactRow& row : rows) {
+    if (row.bed == 0) continue;
+    Eigen::RowVectorXd s = Eigen::RowVectorXd::Zero(width);
+    s[row.coordinate] = 1;
+    s[row.gap_coordinate] = -row.gap_scale;
+    const RowMatrix block = row.bed * s.transpose() * s;
+    const auto node = static_cast<algebra::LocalIndex>(row.node);
+    matrix.add({&node, 1}, {block.data(), static_cast<std::size_t>(block.size())});
+  }
+}
 
 std::vector<char> NodalCoordinates::prescribed() const {
   std::vector<char> marks(lower.owned().size());
@@ -288,6 +315,12 @@ constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std
   auto [nodes, matrix] = coordinates.space->constraints.on_sources(of, std::move(cartesian));
   if (coordinates.width == 5) return {nodes, times_bases<5>(matrix, coordinates, nodes)};
   return {nodes, times_bases<6>(matrix, coordinates, nodes)};
+}
+
+constraints::NodeColumns on_both_sides(const NodalCoordinates& coordinates, std::span<const algebra::LocalIndex> nodes,
+                                       RowMatrix matrix) {
+  const RowMatrix half = in_coordinates(coordinates, nodes, std::move(matrix)).matrix;
+  return in_coordinates(coordinates, nodes, half.transpose());
 }
 
 }  // namespace plastron::assembly

@@ -23,7 +23,7 @@ using RowMatrix = constraints::RowMatrix;
 inline constexpr double gap_rounding = 1e-9;
 
 struct NodalCoordinates {
-  int width = 5;                 ///< coordinates of a node: 6 where r . a_3 is a coordinate
+  int width = 5;                 ///< coordinates of a node: 6 where r . a_3, or the surface of a bed, is a coordinate
   std::vector<NodeBasis> basis;  ///< T of every local node
   std::shared_ptr<const fem::Space> space{};
   algebra::Vector lower, upper;                    ///< bounds of z (block: width)
@@ -56,6 +56,10 @@ struct NodalCoordinates {
   Vector6 direction(std::size_t node, int k) const;
   /// Computes y = C T z on local nodes. Needs z's ghosts; the result has valid ghosts.
   void to_cartesian(const algebra::Vector& z, algebra::Vector& y) const;
+  /// Adds the forces of the springs of beds at coordinates z to `forces`, both on owned nodes.
+  void add_bed_forces(const algebra::Vector& z, algebra::Vector& forces) const;
+  /// Adds their stiffness to a matrix in these coordinates that is not finished.
+  void add_bed_stiffness(algebra::Matrix& matrix) const;
   /// Computes z += T' C' f on owned nodes. f is complete on owned nodes; afterwards f contains C' f (collective where
   /// there are constraints).
   void add_transposed(algebra::Vector& f, algebra::Vector& z) const;
@@ -66,15 +70,20 @@ struct NodalCoordinates {
 std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const std::vector<NodalPoint>& points,
                                                 const Eigen::Vector2d& x);
 
-/// Returns the supports of owned nodes by local index; empty where a node has none. Supports of constrained nodes are
-/// given to the nodes that these follow from (collective, throws SupportError).
+/// Returns the supports of owned nodes by local index, with values times their factors; empty where a node has none. Supports of
+/// constrained nodes are given to the nodes that these follow from (collective, throws SupportError).
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
-                                       const std::vector<NodalPoint>& points, const std::vector<Support>& supports);
+                                       const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
+                                       const energy::Factors& factors = {});
 
 /// Transforms a matrix on the Cartesian values of nodes, six columns for each, to coordinates. The result has `width` columns for
 /// each node on which their values depend.
 constraints::NodeColumns in_coordinates(const NodalCoordinates& coordinates, std::span<const algebra::LocalIndex> nodes,
                                         RowMatrix cartesian);
+
+/// Transforms a symmetric matrix on (u, r) of nodes to coordinates, on both sides.
+constraints::NodeColumns on_both_sides(const NodalCoordinates& coordinates, std::span<const algebra::LocalIndex> nodes,
+                                       RowMatrix matrix);
 
 /// Returns a point of the shell after the motion (u, r) = `moved` with small rotations.
 obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness, const Vector6& moved);

@@ -15,10 +15,10 @@ constexpr int block = 10;
 
 /// Sets the largest thickness and modulus at owned nodes, from all cells that meet there, on any rank.
 void add_sections(const fem::Space& space, const fem::Surface& surface, const element::ElementTables& tables,
-                  const CrossSections& sections, algebra::Vector& data) {
+                  const energy::CrossSections& sections, algebra::Vector& data) {
   std::vector<double> e(tables.nodes.size());
   for (std::size_t c = 0; c < space.cells.size(); ++c) {
-    const CrossSection& section = sections.at(*space.coarse, space.cells[c]);
+    const energy::CrossSection& section = sections.at(*space.coarse, space.cells[c]);
     const double young = section.material.young();
     surface.evaluate(section.thickness, space.cells[c], tables.nodes, e);
     const auto nodes = space.nodes(c);
@@ -61,7 +61,7 @@ void fill_directions(std::span<double> reach) {
 }  // namespace
 
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
-                                       const element::ElementTables& tables, const CrossSections& sections) {
+                                       const element::ElementTables& tables, const energy::CrossSections& sections) {
   // Owners write and ghosts read, so that ranks agree to the last bit.
   algebra::Vector data(space.layout, block), weights(space.layout, 1);
   std::vector<char> done(static_cast<std::size_t>(space.layout->local_size()), 0);

@@ -2,8 +2,8 @@
 // Where regions of different thickness meet, a node has the largest: the thickest part touches an obstacle first (M16).
 #pragma once
 #include <plastron/algebra/vector.hpp>
-#include <plastron/assembly/cross_sections.hpp>
 #include <plastron/element/element_tables.hpp>
+#include <plastron/energy/cross_sections.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/obstacle/gap.hpp>
 
@@ -27,7 +27,7 @@ struct NodalPoint {
 
 /// Returns the data of every local node, equal on all ranks that see the node (collective).
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
-                                       const element::ElementTables& tables, const CrossSections& sections);
+                                       const element::ElementTables& tables, const energy::CrossSections& sections);
 
 /// Returns the reaches of all local nodes, from the nodes of the cells around them. Empty if no obstacle has edges (collective).
 std::vector<obstacle::Reach> reaches_of(const fem::Space& space, const std::vector<NodalPoint>& points,

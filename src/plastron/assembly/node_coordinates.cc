@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace plastron::assembly {
 
@@ -178,6 +179,28 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   node.lower[5] = -most;
   node.upper[5] = most;
   return node;
+}
+
+void put_on_bed(std::optional<std::size_t> obstacle, double stiffness, const NodalPoint& point, NodeCoordinates& node) {
+  constexpr int surface = 5;
+  node.basis.col(surface).setZero();
+  node.lower[surface] = node.upper[surface] = 0;
+  if (!obstacle) return;
+  ContactRow& row = node.rows.at(*obstacle);
+  if (!row.is_touchable()) {
+    row.bound_gap = std::numeric_limits<double>::quiet_NaN();  // a bed lets the shell be held inside of it
+    return;
+  }
+  row.bed = stiffness * point.weight;
+  row.gap_coordinate = std::exchange(row.coordinate, surface);
+  row.gap_scale = std::exchange(row.scale, 1.0);
+  for (ContactRow& other : node.rows) other.binds = false;
+  const auto bounded = static_cast<std::size_t>(row.gap_coordinate);
+  for (const std::size_t k : {bounded, static_cast<std::size_t>(surface)}) {
+    node.lower[k] = -no_bound;
+    node.upper[k] = no_bound;
+  }
+  bound(node);
 }
 
 }  // namespace plastron::assembly

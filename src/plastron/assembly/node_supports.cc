@@ -1,6 +1,7 @@
 // Converts supports by boundary or point and component to prescribed directions at nodes.
 #include <plastron/assembly/nodal_coordinates.hpp>
 
+#include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/constrained_supports.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/mesh/basis.hpp>
@@ -51,19 +52,11 @@ EdgeFrame edge_frame(const geometry::Frame& frame, const Eigen::Vector2d& side_t
   return {tangent.cross(frame.a3).normalized(), tangent};
 }
 
-std::vector<Vector3d> directions(Direction direction, const Vector3d& a3, const EdgeFrames& edges) {
-  switch (direction) {
-    case Direction::x:
-      return {Vector3d::UnitX()};
-    case Direction::y:
-      return {Vector3d::UnitY()};
-    case Direction::z:
-      return {Vector3d::UnitZ()};
-    case Direction::normal:
-      return {a3};
-    default:
-      break;
-  }
+std::vector<Vector3d> directions(const Support& support, Direction direction, const NodalPoint& point,
+                                 const EdgeFrames& edges) {
+  const geometry::Place place{point.x[0], point.x[1], point.phi[0], point.phi[1], point.phi[2]};
+  if (const auto in_space = direction_at(support, direction, place)) return {*in_space};
+  if (direction == Direction::normal) return {point.a3};
   std::vector<Vector3d> all;
   for (const EdgeFrame& frame : edges.all())
     all.push_back(direction == Direction::conormal ? frame.conormal : frame.tangent);
@@ -118,7 +111,8 @@ namespace {
 /// The rows that one support adds at the nodes of its boundary.
 class Rows {
  public:
-  Rows(const Support& support, const std::vector<NodalPoint>& points) : support_(support), points_(points) {}
+  Rows(const Support& support, const std::vector<NodalPoint>& points, double factor)
+      : support_(support), points_(points), factor_(factor) {}
 
   void add(algebra::LocalIndex node, const EdgeFrames& edges, NodeSupport& at_node) {
     const NodalPoint& p = points_[static_cast<std::size_t>(node)];
@@ -127,7 +121,8 @@ class Rows {
       double& largest = component.unknown == Unknown::displacement ? displacement_ : rotation_;
       largest = std::max(largest, std::abs(value));
       auto& rows = component.unknown == Unknown::displacement ? at_node.displacement : at_node.rotation;
-      for (const Vector3d& d : directions(component.direction, p.a3, edges)) rows.emplace_back(d, value);
+      for (const Vector3d& d : directions(support_, component.direction, p, edges))
+        rows.emplace_back(d, factor_ * value);
     }
   }
 
@@ -136,6 +131,7 @@ class Rows {
  private:
   const Support& support_;
   const std::vector<NodalPoint>& points_;
+  double factor_;
   double displacement_ = 0, rotation_ = 0;
 };
 
@@ -195,13 +191,38 @@ std::vector<algebra::LocalIndex> owned_nodes_at(const fem::Space& space, const s
   return nodes;
 }
 
+std::optional<Vector3d> direction_at(const Support& support, Direction direction, const geometry::Place& place) {
+  switch (direction) {
+    case Direction::x:
+    case Direction::y:
+    case Direction::z:
+      return Vector3d::Unit(static_cast<int>(direction) - static_cast<int>(Direction::x));
+    case Direction::axis_1:
+    case Direction::axis_2:
+    case Direction::axis_3:
+      return support.axes.row(static_cast<int>(direction) - static_cast<int>(Direction::axis_1)).transpose();
+    case Direction::given: {
+      const Vector3d d(support.direction[0](place), support.direction[1](place), support.direction[2](place));
+      if (d.allFinite() && !d.isZero(0)) return d.stableNormalized();
+      throw SupportError(fmt::format("the direction of a support is ({:g}, {:g}, {:g}) at x = {:g}, y = {:g}", d[0],
+                                     d[1], d[2], place.x, place.y));
+    }
+    default:
+      return {};
+  }
+}
+
 std::vector<NodeSupport> node_supports(const fem::Space& space, const fem::Surface& surface,
-                                       const std::vector<NodalPoint>& points, const std::vector<Support>& supports) {
+                                       const std::vector<NodalPoint>& points, const std::vector<Support>& supports,
+                                       const energy::Factors& factors) {
   std::vector<NodeSupport> all(static_cast<std::size_t>(space.layout->owned));
   for (const Support& support : supports) {
+    if (factors.is_released(support.factor)) continue;
     const NodeFrames frames = nodes_of(support, space, surface, points);
-    Rows rows(support, points);
-    for (const auto& [node, edges] : frames) rows.add(node, edges, all[static_cast<std::size_t>(node)]);
+    Rows rows(support, points, factors.support(support.factor));
+    algebra::in_agreement<SupportError>(space.layout->comm, [&] {
+      for (const auto& [node, edges] : frames) rows.add(node, edges, all[static_cast<std::size_t>(node)]);
+    });
     const double displacement = algebra::max_over_ranks(rows.largest(Unknown::displacement), space.layout->comm),
                  rotation = algebra::max_over_ranks(rows.largest(Unknown::rotation), space.layout->comm);
     for (const auto& [node, edges] : frames) {

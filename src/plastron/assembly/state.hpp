@@ -1,7 +1,7 @@
 // The state at which the shell is linearised, and the six values (u, r) of a node in a vector.
 #pragma once
 #include <plastron/algebra/vector.hpp>
-#include <plastron/assembly/factors.hpp>
+#include <plastron/energy/factors.hpp>
 
 #include <Eigen/Core>
 
@@ -23,12 +23,13 @@ struct Control {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   double displacement = 0;  ///< [m]
+  int factor = -1;          ///< the controlled one, see energy::Factors::controlled()
 };
 
 struct State {
   /// (u, r) of local nodes, six values for each node, with current ghosts. Without a layout the shell is undeformed.
   algebra::Vector displacement{};
-  Factors factors = Factors();
+  energy::Factors factors = energy::Factors();
   std::optional<Control> control{};  ///< with finite rotations
   std::vector<double> positions{};   ///< positions of pressed obstacles along their forces; empty: 0 [m]
   /// Lower limits of the gaps at local nodes in place of 0, by obstacle, with current ghosts [m]. They keep the shell

@@ -39,7 +39,9 @@ double lever(const Vector6& direction, double thickness) {
 Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                     const assembly::ContactRow& row, Sums& sums) {
   const auto k = static_cast<std::size_t>(row.obstacle);
-  const double gap = discrete.nodal_gap(k, row.node, solution.y);
+  // The surface of a bed gives by its pressure.
+  const double closed = row.closure(solution.pressure.at(row.node)[k], discrete.points[row.node].weight);
+  const double gap = discrete.nodal_gap(k, row.node, solution.y) + closed;
   if (row.is_touchable() || row.is_left_out) sums.min_gap = std::min(sums.min_gap, gap);
   Vector6 force = contact_force(discrete, solution, row);
   if (solution.touching.at(row.node)[k] == 0) return force;
@@ -52,13 +54,14 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::Nod
 }
 
 /// Adds one node with the residual r. Along prescribed coordinates, supports carry what obstacles do not; along free
-/// ones, the rest is the error. `load`: with the forces of initial stresses.
+/// ones, the rest is the error. `load`: with the forces of initial strains; `carried`: the forces on foundations.
 void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, std::size_t i,
-              const Vector6& r, const Vector6& load, Sums& sums) {
+              const Vector6& r, const Vector6& load, const Vector6& carried, Sums& sums) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const assembly::NodalPoint& point = discrete.place(i);
   const Vector6 y = node_values(solution.y, i), in_coordinates = discrete.in_coordinates(solution.y, i);
   add_scales(point, load, sums);
+  add_scales(point, carried, sums);
   if (discrete.space().continuity.constrains(i)) return;
   Vector6 contact = Vector6::Zero();
   for (const assembly::ContactRow& row : coordinates.rows_of(i)) contact += add_contact(discrete, solution, row, sums);
@@ -68,7 +71,8 @@ void add_node(const assembly::DiscreteShell& discrete, const solution::NodalSolu
     if (direction.isZero(0)) continue;
     const double component = direction.dot(rest);
     const double per_force = 1 / std::pow(lever(direction, point.thickness), 2);
-    sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(contact), 2));
+    sums.all_forces += per_force * (std::pow(direction.dot(load), 2) + std::pow(direction.dot(carried), 2) +
+                                    std::pow(direction.dot(contact), 2));
     if (coordinates.is_prescribed(i, k)) {
       add_scales(point, component * direction, sums);
       sums.support_work += component * direction.dot(y);
@@ -136,8 +140,9 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const soluti
     c.min_gap_between = std::min(c.min_gap_between, obstacle.least_gap);
   c.support_error = algebra::max_over_ranks(sums.support_error, comm);
   c.complementarity = algebra::max_over_ranks(sums.complementarity, comm);
-  const Vector3d force = s.loads.force + s.reaction.force + s.support_reaction.force;
-  const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment;
+  const solution::Wrench carried = s.foundation_reaction();
+  const Vector3d force = s.loads.force + s.reaction.force + s.support_reaction.force + carried.force;
+  const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment + carried.moment;
   c.force_balance = ratio(force.norm(), std::max(sum(sums.force_scale), least.force));
   c.moment_balance = ratio(moment.norm(), std::max(sum(sums.moment_scale), least.moment));
   if (discrete.has_finite_rotations()) {
@@ -145,10 +150,11 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const soluti
     return c;
   }
   const double by_contact = sum(sums.contact_work), by_supports = sum(sums.support_work);
-  const double a = 2 * (s.energy.total() + s.tangency_energy);
-  c.energy_identity =
-      ratio(std::abs(a - s.load_work - by_contact - by_supports),
-            std::max({a, std::abs(s.load_work), std::abs(by_contact), std::abs(by_supports), least.energy}));
+  const double a = 2 * (discrete.motion_energies(solution.y).total() + s.tangency_energy),
+               by_initial_strains = algebra::dot(discrete.initial_forces, solution.y);
+  c.energy_identity = ratio(std::abs(a - s.load_work - by_initial_strains - by_contact - by_supports),
+                            std::max({a, std::abs(s.load_work), std::abs(by_initial_strains), std::abs(by_contact),
+                                      std::abs(by_supports), least.energy}));
   return c;
 }
 
@@ -163,8 +169,12 @@ Verdict certify(const assembly::DiscreteShell& discrete, const solution::NodalSo
   add_pushed_nodes(discrete, solution, verdict.summary);
   Sums sums;
   const algebra::Vector loads = loads_and_initial_forces(discrete);
+  algebra::Vector carried(loads.layout(), 6);
+  for (const auto& [foundation, term] : discrete.foundations)
+    if (term) term->add_forces(discrete.shell, solution.y, carried);
+  carried.accumulate_ghosts();
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i)
-    add_node(discrete, solution, i, node_values(r, i), node_values(loads, i), sums);
+    add_node(discrete, solution, i, node_values(r, i), node_values(loads, i), node_values(carried, i), sums);
   add_bodies(bodies, discrete.space().layout->comm, sums);
   auto least = verdict.summary.is_unstrained ? solution::strain_scale(discrete, solution.y, verdict.summary.size)
                                              : solution::StrainScale{};

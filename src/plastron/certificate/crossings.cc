@@ -140,7 +140,7 @@ class Paths {
 
   /// The path of a piece of a cell: the points whose coordinates differ from xi by at most `half`.
   Moving piece(std::size_t cell, const Vector2d& xi, double half) const {
-    const assembly::ShellOperator& shell = discrete_.shell;
+    const energy::ShellOperator& shell = discrete_.shell;
     const element::BasisAt basis = element::basis_at(shell.space().shape(), shell.space().degree, {xi});
     geometry::Frame frame;
     shell.surface().frames(shell.space().cells[cell], {&xi, 1}, {&frame, 1}, false);
@@ -209,7 +209,7 @@ std::vector<Crossing> crossings(const assembly::DiscreteShell& discrete, const S
   const Paths paths(discrete, from, to);
   for (std::size_t k = 0; k < discrete.obstacles_at_start.all.size(); ++k) {
     const obstacle::Obstacle& obstacle = discrete.obstacles_at_start.all[k];
-    if (!has_far_side(obstacle)) continue;
+    if (!has_far_side(obstacle) || obstacle.has_bed()) continue;
     for (std::size_t cell = 0; cell < discrete.space().owned_cells; ++cell) {
       if (of_bodies[cell]) continue;
       if (const auto crossing = crossing_in(discrete, cell, paths, k, {obstacle, k, from, to}))

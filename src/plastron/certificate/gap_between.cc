@@ -36,7 +36,7 @@ class CellPoints {
     const std::size_t count = basis.xi.size();
     frames_.resize(count);
     for (auto* values : {&px_, &py_, &thickness_}) values->resize(count);
-    const assembly::ShellOperator& shell = discrete_.shell;
+    const energy::ShellOperator& shell = discrete_.shell;
     shell.surface().frames(shell.space().cells[cell], basis.xi, frames_, false);
     shell.surface().positions(shell.space().cells[cell], basis.xi, px_, py_);
     shell.surface().evaluate(shell.section(cell).thickness, shell.space().cells[cell], basis.xi, thickness_);
@@ -61,6 +61,7 @@ class CellPoints {
   std::vector<std::vector<std::size_t>> near_obstacles() const {
     std::vector<std::vector<std::size_t>> near(discrete_.space().owned_cells);
     for (std::size_t k = 0; k < now_.size(); ++k) {
+      if (now_[k].has_bed()) continue;  // its surface gives way, between nodes, too
       discrete_.obstacles.prepare_gaps(body(k), near.size(),
                                        [&](std::size_t c) { return undeformed_if_linear(first_node(c)); });
       for (std::size_t c = 0; c < near.size(); ++c)

@@ -192,8 +192,7 @@ std::vector<PointValues> values_at(const Solution& solution, const std::vector<E
   for (std::size_t k = found_points.size(); k-- > 0;)
     set_numbers(std::span(numbers).subspan(k * size, size), values[found_points[k]]);
   for (std::size_t i = 0; i < values.size(); ++i)
-    recovery::set_law(*solution.discrete,
-                      solution.discrete->shell.sections().at(*space.coarse, {.coarse = locations[i].coarse}),
+    recovery::set_law(solution.discrete->shell.sections().at(*space.coarse, {.coarse = locations[i].coarse}),
                       values[i]);
   return values;
 }

@@ -50,8 +50,12 @@ bool is_unstrained_after(const assembly::DiscreteShell& discrete, const finite::
     energy += rounding_strain * rounding_strain * point.young * point.weight * point.thickness / 2;
   }
   const MPI_Comm comm = discrete.space().layout->comm;
+  // Initial strains store energy in a shell without strain.
+  const double of_strains =
+      discrete.shell.energies_of([&](std::size_t cell) { return discrete.strains(cell, discrete.state.displacement); })
+          .total();
   return step.largest_displacement < small_step * least_thickness(discrete) &&
-         discrete.energies(discrete.state.displacement).total() < algebra::sum_over_ranks(energy, comm);
+         of_strains < algebra::sum_over_ranks(energy, comm);
 }
 
 /// Product of the rotations of two motions (collective).
@@ -148,8 +152,8 @@ bool supports_stand(const assembly::DiscreteShell& discrete) {
 
 /// Whether loads have a potential that finite::potential() computes.
 bool has_potential(const assembly::DiscreteShell& discrete) {
-  return discrete.follower_pressure.empty() && discrete.space().bodies.empty() && !discrete.state.control &&
-         !discrete.shell.sections().have_initial_strains() && assembly::pressed_obstacles(discrete).empty();
+  return !discrete.has_follower_pressure() && discrete.space().bodies.empty() && !discrete.state.control &&
+         assembly::pressed_obstacles(discrete).empty();
 }
 
 /// Linearises the shell at a state and returns its potential there, infinity where it has none: a gap has no direction, or a support

@@ -2,10 +2,10 @@
 
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/assembly/deformed.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
 #include <plastron/constraints/map.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/finite/controlled_point.hpp>
 #include <plastron/problem/instants.hpp>
@@ -82,8 +82,9 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
       error = length_of(as_length(here - node_values(continuous, i), e));
     else if (discrete.has_finite_rotations())
       error = length_of(as_length(here - node_values(kept, i), e)) + kink_jump(space, y, i);
-    else if (coordinates.width < 6)  // also at kinks and bodies: bases span all of u, and r tangent to the shell
-      error = distance_from_span(coordinates.basis[i], coordinates.width, here, e);
+    else if (!element::is_relaxed(discrete.tangency.formulation))
+      // Also at kinks and bodies: bases span all of u, and r tangent to the shell.
+      error = distance_from_span(coordinates.basis[i], 5, here, e);
     if (!(error <= most)) most = error;  // also for a NaN
     if (!discrete.has_finite_rotations()) most = std::max(most, kink_error(space, y, i, e));
   }

@@ -75,9 +75,10 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
     const obstacle::ShellPoint moved = moved_node(discrete, solution, row);
     const double distance =
         reaches.empty() ? obstacle::true_gap(now, gap, moved) : obstacle::true_gap(now, gap, moved, reaches[row.node]);
+    const double closed = row.closure(solution.pressure.at(row.node)[k], discrete.points[row.node].weight);
     if (touches)
       error.at_contact = std::max(error.at_contact, std::abs(distance - discrete.nodal_gap(k, row.node, solution.y)));
-    error.depth = std::max(error.depth, std::min(0.0, discrete.state.lift(row.node, k)) - distance);
+    error.depth = std::max(error.depth, std::min(0.0, discrete.state.lift(row.node, k)) - distance - closed);
   });
   return error;
 }

@@ -120,7 +120,8 @@ struct Passing {
 /// The solution at the end of a step, or of a part of one.
 struct HistoryEntry {
   std::string step;  ///< name of the step
-  assembly::Factors factors = assembly::Factors();
+  energy::Factors factors = energy::Factors();
+  std::vector<std::string> factor_names{};          ///< of factors.named
   std::optional<double> controlled_displacement{};  ///< that the loads follow [m]
   contact::Status status = contact::Status::solved;
   std::string missed_limits{};

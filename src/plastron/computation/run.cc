@@ -66,7 +66,11 @@ LevelTask Run::task(int number) const {
 
 LevelTask Run::task_after_first_level(int number) const {
   LevelTask next = task(number);
-  if (supports_hold(result.levels.front().history, problem.contact)) next.settings.detect_free_motions = false;
+  const auto has_released = [](const problem::Instant& instant) {
+    return std::ranges::any_of(instant.factors.released, [](char is_released) { return is_released != 0; });
+  };
+  if (supports_hold(result.levels.front().history, problem.contact) && std::ranges::none_of(instants, has_released))
+    next.settings.detect_free_motions = false;
   return next;
 }
 
@@ -76,8 +80,12 @@ assembly::State Run::state_at(const problem::Instant& instant) const {
   const auto probe = std::ranges::find(before_step_, instant.control->probe, &ProbeValue::name);
   const double start = probe == before_step_.end() ? 0 : instant.control->direction.dot(probe->values.u);
   state.control = problem::control_of(problem, instant, start);
-  state.factors.loads =
-      result.solution && result.solution->discrete ? result.solution->discrete->state.factors.loads : 0;
+  const int name = state.control->factor;
+  state.factors.controlled(name) = 0;
+  if (result.solution && result.solution->discrete) {
+    energy::Factors last = result.solution->discrete->state.factors;
+    if (!last.named.empty() || name < 0) state.factors.controlled(name) = last.controlled(name);
+  }
   return state;
 }
 
@@ -92,7 +100,10 @@ assembly::State Run::state_at(const problem::Instant& instant, const Departure& 
   assembly::State start = state_at(instant);
   start.positions = departure.state.positions;
   start.displacement = departure.state.displacement;
-  if (start.control) start.factors.loads = departure.state.factors.loads;
+  if (start.control) {
+    energy::Factors last = departure.state.factors;
+    start.factors.controlled(start.control->factor) = last.controlled(start.control->factor);
+  }
   if (instant.overlap > 0 && depths_.layout()) {
     start.lifts = depths_;
     for (double& lift : start.lifts.local()) lift *= instant.overlap;
@@ -260,6 +271,7 @@ void Run::record(const problem::Instant& instant) {
   const bool is_missed = result.status == contact::Status::solved && !missed.empty();
   result.history.push_back({.step = problem.steps[static_cast<std::size_t>(instant.step)].name,
                             .factors = state.factors,
+                            .factor_names = problem.factor_names,
                             .controlled_displacement = controlled_displacement(state),
                             .status = is_missed ? contact::Status::accuracy_not_reached : result.status,
                             .missed_limits = is_missed ? missed : result.missed_limits,

@@ -32,6 +32,7 @@ const Result& checked(const problem::Problem& problem, const Result& result) {
   if (problem.shell.tangency.formulation == element::Formulation::mixed) refuse("in the mixed formulation");
   if (!assembly::pressed_obstacles(discrete).empty()) refuse("where a force presses an obstacle");
   if (discrete.state.control) refuse("where the loads follow a displacement");
+  if (discrete.has_finite_rotations() && discrete.obstacles.on_bed()) refuse("on a bed with finite rotations");
   if (discrete.has_finite_rotations()) return result;
   if (discrete.state.is_deformed())
     refuse("for curved obstacles with small rotations, whose gaps are linearised at the solution");
@@ -183,7 +184,7 @@ Sensitivity::Sensitivity(const problem::Problem& problem, const Result& result)
 std::unique_ptr<assembly::DiscreteShell> Sensitivity::discretised(const problem::Problem& changed) const {
   if (vertices_of(problem_) != vertices_of(changed)) refuse("where the domain changes");
   if (problem_.rigid_bodies != changed.rigid_bodies) refuse("by numbers of rigid bodies");
-  const assembly::ShellOperator& shell = solution_.discrete->shell;
+  const energy::ShellOperator& shell = solution_.discrete->shell;
   auto coarse = std::make_shared<mesh::CoarseMesh>(shell.surface().coarse());
   coarse->shifts.clear();
   coarse->shifts = meshing::shifts_of(changed, *coarse);

@@ -51,6 +51,20 @@ bool advance(Run& run, Meshes& meshes, const problem::Instant& before, const pro
   });
 }
 
+/// Solves a load case by itself, from the undeformed shell, with the mesh, the factor and the contact zone at hand.
+bool solve_case(Run& run, Meshes& meshes, const problem::Instant& instant) {
+  Stopwatch watch;
+  LevelTask task = run.task_after_first_level(run.problem.discretisation.refinements);
+  if (run.problem.accuracy || &instant == &run.instants.back()) task.goals = run.goals();
+  const ContactTrend expected = run.expected_contact(nullptr);
+  auto discrete = run.relinearised(run.state_at(instant), expected, task);
+  task.seconds.discretisation = watch.lap();
+  run.take(solved_from_start(run, instant, task, std::move(discrete)));
+  if (run.result.estimates && !meshes.reach_accuracy(instant)) return false;
+  run.record(instant);
+  return run.result.status != contact::Status::interrupted;
+}
+
 }  // namespace
 
 Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& observer) {
@@ -59,10 +73,11 @@ Result solve(const problem::Problem& problem, MPI_Comm comm, const Observer& obs
   bool goes_on = meshes.solve();
   if (goes_on && !problem.steps.empty()) {
     run.record(run.instants.front());
-    goes_on = run.result.status != contact::Status::no_equilibrium;
+    goes_on = problem.steps_are_cases || run.result.status != contact::Status::no_equilibrium;
   }
   for (std::size_t i = 1; goes_on && i < run.instants.size(); ++i)
-    goes_on = advance(run, meshes, run.instants[i - 1], run.instants[i]);
+    goes_on = problem.steps_are_cases ? solve_case(run, meshes, run.instants[i])
+                                      : advance(run, meshes, run.instants[i - 1], run.instants[i]);
   if (goes_on) meshes.judge_geometry();
   if (goes_on && problem.steps.empty() && !run.has_checked_model()) run.check_model();
   return run.finish();

@@ -65,8 +65,15 @@ Result measured_result(const problem::Problem& problem, Solution found) {
 
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution) {
   const problem::Instant last = problem::instants(problem).back();
-  solution.state.factors.forces = last.factors.forces;
   solution.state.control = problem::control_of(problem, last, 0);
+  const double controlled = solution.state.factors.loads;
+  solution.state.factors.forces = last.factors.forces;
+  solution.state.factors.named = last.factors.named;
+  solution.state.factors.released = last.factors.released;
+  if (solution.state.control) {
+    solution.state.factors.loads = last.factors.loads;
+    solution.state.factors.controlled(solution.state.control->factor) = controlled;
+  }
   Solution found{.discrete = assembly::discretise(mesh.space, mesh.surface, problem.shell, std::move(solution.state)),
                  .nodal = std::move(solution.nodal)};
   std::vector<double> ways;
@@ -89,6 +96,7 @@ Verification verify(const problem::Problem& problem, const FinestMesh& mesh, Sto
     const assembly::State& state = result.solution->discrete->state;
     result.history.push_back({.step = problem.steps.back().name,
                               .factors = state.factors,
+                              .factor_names = problem.factor_names,
                               .controlled_displacement = controlled_displacement(state),
                               .status = result.status,
                               .level = result.levels.back(),

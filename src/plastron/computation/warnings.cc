@@ -132,6 +132,7 @@ bool is_isostatic(const std::vector<assembly::Support>& supports) {
 bool in_equilibrium(const solution::Summary& s) {
   solution::Wrench sum = s.loads;
   sum += s.reaction;
+  sum += s.foundation_reaction();
   sum.move_point(-s.moment_point);  // back to the origin
   const double force = sum.force.norm(), moment = sum.moment.norm();
   return force <= negligible_force * s.force_scale() && moment <= negligible_force * s.force_scale() * s.size;
@@ -273,12 +274,14 @@ std::vector<std::string> stability_warnings(const Result& result) {
 
 std::vector<std::string> load_warnings(const problem::Problem& problem, const Result& result) {
   const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
-  if (result.summary.load_norms != 0 || result.solution->discrete->state.factors.loads == 0 ||
+  const energy::Factors& factors = result.solution->discrete->state.factors;
+  if (result.summary.load_norms != 0 || factors.loads == 0 ||
+      std::ranges::any_of(factors.named, [](double own) { return own == 0; }) ||
       std::ranges::any_of(problem.rigid_bodies, is_loaded))
     return {};
   std::string name;
   problem.shell.loads.for_each_expression(
-      [&](const geometry::Expression& f, const std::string& of, const assembly::LoadPlace&) {
+      [&](const geometry::Expression& f, const std::string& of, const energy::LoadPlace&) {
         if (name.empty() && !f.is_constant()) name = of;
       });
   if (name.empty()) return {};
@@ -303,7 +306,7 @@ std::vector<std::string> strain_warnings(const Result& result) {
 }
 
 std::vector<std::string> shear_warnings(const Result& result) {
-  const assembly::Energies& energy = result.summary.energy;
+  const energy::Energies& energy = result.summary.energy;
   const double part = energy.shear / energy.total();
   if (result.summary.is_unstrained || !(part > largest_shear_part)) return {};
   return {fmt::format(

@@ -58,6 +58,8 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_rigid_bodies(root, result.problem);
   read_supports(root, result.problem);
   complete_geometry(result.problem);
+  read_temperatures(root, result.problem);
+  read_foundations(root, result.problem);
   read_loads(root, result.problem);
   read_gravity(root, result.problem);
   read_obstacles(root, result.problem);

@@ -58,7 +58,7 @@ void read_expression(Table& table, const std::string& key, std::vector<ChartDisp
   }
   const auto displacement = table.field_vector("displacement");
   if (!displacement) return;
-  const assembly::VectorExpression& d = *displacement;
+  const energy::VectorExpression& d = *displacement;
   if (is_in_space)
     differentiating(table, key, [&] {
       problem.imperfections.push_back(

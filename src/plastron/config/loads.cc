@@ -1,12 +1,30 @@
 // Reads [[load]].
 #include <plastron/config/sections.hpp>
 
+#include <algorithm>
+
 namespace plastron::config {
+
+int factor_of(const std::string& name, problem::Problem& problem) {
+  auto& names = problem.factor_names;
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) names.push_back(name);
+  return static_cast<int>(std::ranges::find(names, name) - names.begin());
+}
+
+int read_factor_name(Table& table, problem::Problem& problem) {
+  if (!table.has("name")) return -1;
+  const auto name = table.text("name");
+  if (!name) return -1;
+  if (!name->empty()) return factor_of(*name, problem);
+  table.report("name", "the name is empty", "", "leave the key out or give a name");
+  return -1;
+}
 
 namespace {
 
-assembly::VectorExpression vector_or_zero(Table& load, const char* name) {
-  if (load.has(name)) return load.field_vector(name).value_or(assembly::VectorExpression{});
+energy::VectorExpression vector_or_zero(Table& load, const char* name) {
+  if (load.has(name)) return load.field_vector(name).value_or(energy::VectorExpression{});
   load.effective[name] = {0.0, 0.0, 0.0};
   return {};
 }
@@ -20,8 +38,10 @@ void read_edge_load(Table& load, problem::Problem& problem) {
     load.report_key("follows", "a load on a boundary does not follow the shell", "", "remove follows");
   if (load.has("region"))
     load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
-  const assembly::EdgeLoad result{
-      .boundary = "", .force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
+  const energy::EdgeLoad result{.boundary = "",
+                                .force = vector_or_zero(load, "force"),
+                                .couple = vector_or_zero(load, "couple"),
+                                .factor = read_factor_name(load, problem)};
   for (const std::string& boundary : boundaries.value_or(std::vector<std::string>{})) {
     problem.shell.loads.on_edges.push_back(result);
     problem.shell.loads.on_edges.back().boundary = boundary;
@@ -29,7 +49,7 @@ void read_edge_load(Table& load, problem::Problem& problem) {
 }
 
 /// Only pressure follows, and only with finite rotations.
-void check_follower(Table& load, const assembly::AreaLoad& result, const problem::Problem& problem) {
+void check_follower(Table& load, const energy::AreaLoad& result, const problem::Problem& problem) {
   if (!result.follows) return;
   if (!load.has("pressure") || load.has("force") || load.has("couple"))
     load.report_key("follows", "a load that follows the shell is a pressure alone", "pressure",
@@ -40,7 +60,8 @@ void check_follower(Table& load, const assembly::AreaLoad& result, const problem
 }
 
 void read_area_load(Table& load, problem::Problem& problem) {
-  assembly::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
+  energy::AreaLoad result{.force = vector_or_zero(load, "force"), .couple = vector_or_zero(load, "couple")};
+  result.factor = read_factor_name(load, problem);
   if (load.has("pressure"))
     result.pressure = load.field("pressure").value_or(geometry::Expression{});
   else
@@ -60,7 +81,8 @@ std::vector<Section> load_sections() {
            "A load with at least one of force, pressure and couple. It is dead (it keeps its direction and is measured "
            "per area of the undeformed shell), unless it follows. It acts per area of the mid-surface, or per length "
            "of a boundary if one is named. Several loads add up.",
-           {key("boundary", Kind::name_or_names, {},
+           {key("name", Kind::name, {}, "a name for step.factors; loads of the same name have the same factor"),
+            key("boundary", Kind::name_or_names, {},
                 "one or several boundaries of the domain; if not given, the load acts on the surface"),
             key("region", Kind::name_or_names, {},
                 "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "

@@ -13,8 +13,8 @@ namespace {
 
 using shell::Layer, shell::Material, shell::Orthotropic;
 
-constexpr std::array isotropic_keys{"E", "nu"};
-constexpr std::array orthotropic_keys{"E1", "E2", "nu12", "G12", "G13", "G23"};
+constexpr std::array isotropic_keys{"E", "nu", "expansion"};
+constexpr std::array orthotropic_keys{"E1", "E2", "nu12", "G12", "G13", "G23", "expansion1", "expansion2"};
 constexpr const char* ways = "E and nu, or E1, E2, nu12, G12, G13 and G23, or layers";
 
 Section material_section() {
@@ -37,6 +37,9 @@ Section material_section() {
        modulus("G12", &Orthotropic::G12, "shear modulus in the tangent plane"),
        modulus("G13", &Orthotropic::G13, "modulus of transverse shear along axis 1"),
        modulus("G23", &Orthotropic::G23, "modulus of transverse shear along axis 2"),
+       key("expansion", Kind::number, {.unit = "1/K"}, "thermal expansion, isotropic; see [[temperature]]"),
+       key("expansion1", &Orthotropic::expansion1, {.unit = "1/K"}, "thermal expansion along axis 1; 0 if not given"),
+       key("expansion2", &Orthotropic::expansion2, {.unit = "1/K"}, "thermal expansion along axis 2; 0 if not given"),
        key("direction", Kind::vector, {.fallback = "[1, 0, 0]"},
            "a direction in space; nowhere normal to the shell. Not for isotropic materials"),
        key("layers", Kind::tables, {.fallback = "[]"}, "the layers of a laminate, from the lower to the upper face")}};
@@ -71,19 +74,22 @@ void report_others(const Table& table, std::span<const char* const> names) {
 }
 
 std::optional<NamedMaterial> isotropic(Table& table) {
-  for (const char* name : isotropic_keys)
+  for (const char* name : {"E", "nu"})
     if (!table.has(name)) table.report_here(fmt::format("[[material]] is isotropic, but has no \"{}\"", name), ways);
   report_others(table, orthotropic_keys);
   if (table.has("direction")) table.report_key("direction", "an isotropic material has no direction");
   const auto E = table.number("E"), nu = table.number("nu");
+  const double expansion = table.has("expansion") ? table.number("expansion").value_or(0) : 0;
   if (!E || !nu) return {};
-  return NamedMaterial{.material = Material::from_young_poisson(*E, *nu, 1), .layer = Orthotropic::isotropic(*E, *nu)};
+  Material material = Material::from_young_poisson(*E, *nu, 1);
+  std::get<shell::Isotropic>(material.law).expansion = expansion;
+  return NamedMaterial{.material = material, .layer = Orthotropic::isotropic(*E, *nu, expansion)};
 }
 
 std::optional<Orthotropic> orthotropic_constants(Table& table) {
   Orthotropic m;
   bool complete = table.fill(m);
-  for (const char* name : orthotropic_keys)
+  for (const char* name : {"E1", "E2", "nu12", "G12", "G13", "G23"})
     if (!table.has(name)) {
       table.report_here(fmt::format("[[material]] is orthotropic, but has no \"{}\"", name), ways,
                         "where the moduli of transverse shear are not known, G13 = G23 = G12 is a common choice");

@@ -45,39 +45,58 @@ void add_faces(obstacle::Obstacle body, const std::string& face, problem::Proble
 
 Section obstacle_section() {
   const auto table = [](const char* name, const char* meaning) { return key(name, Kind::table, {}, meaning); };
-  return {"obstacle",
-          "[[obstacle]]",
-          "A rigid body that the shell cannot enter. It has exactly one of the shapes half_space to surface. There may "
-          "be several obstacles, for example floor and ceiling.",
-          {key("name", Kind::name, {},
-               "a name that no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"),
-           table("half_space", "all points on one side of a plane"), table("ball", "a ball, or a bowl"),
-           table("cylinder", "a roller, a bar or a tube"), table("box", "a box"), table("torus", "a ring"),
-           table("cone", "a cone"),
-           key("height_field", Kind::table, {.shorthand = Kind::space_formula},
-               "all points below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate move "
-               "its frame"),
-           key("distance", Kind::space_formula, {},
-               "all points where the expression is not positive. The expression need not be a distance: the distance "
-               "to its zero set is computed. It must change its sign there. Its gradient must not be zero there, nor "
-               "where the shell is. A kink away from the zero set and the shell does no harm, such as that of abs(Z) - "
-               "0.1 at Z = 0"),
-           key("surface", Kind::text, {},
-               "a file .stl, .obj or .ply of at most 256 MB and two million triangles; its path is relative to the "
-               "case file. It holds the closed surface of a body, with normals outward and without self-intersections. "
-               "Corners at open sides are joined if their distance is less than a millionth of the surface's diagonal "
-               "and a hundredth of its median side"),
-           table("rotate", "rotation of the shape, before translate"),
-           key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
-               "translation of the shape, after rotate"),
-           key("force", &obstacle::Obstacle::force, {.unit = "N", .fallback = "[0, 0, 0]"},
-               "force that presses the obstacle. The obstacle moves along the force as far as the shell lets it; it "
-               "does not move across the force or rotate. [0, 0, 0]: the obstacle is fixed"),
-           key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
-               "the face of the shell that may touch. lower: at -e/2 along a3; upper: at +e/2; auto: at each point the "
-               "face that looks at the obstacle; both: two obstacles, one for each face, with separate results. Where "
-               "the shell stands on an edge, auto is both, unless a force presses the obstacle")},
-          {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
+  return {
+      "obstacle",
+      "[[obstacle]]",
+      "A rigid body that the shell cannot enter. It has exactly one of the shapes half_space to surface. There may "
+      "be several obstacles, for example floor and ceiling.",
+      {key("name", Kind::name, {},
+           "a name that no other obstacle has, for results and messages; obstacle-1, obstacle-2, ... if not given"),
+       table("half_space", "all points on one side of a plane"), table("ball", "a ball, or a bowl"),
+       table("cylinder", "a roller, a bar or a tube"), table("box", "a box"), table("torus", "a ring"),
+       table("cone", "a cone"),
+       key("height_field", Kind::table, {.shorthand = Kind::space_formula},
+           "all points below z = h(X, Y); also written height_field = \"0.02*cos(X)\". rotate and translate move "
+           "its frame"),
+       key("distance", Kind::space_formula, {},
+           "all points where the expression is not positive. The expression need not be a distance: the distance "
+           "to its zero set is computed. It must change its sign there. Its gradient must not be zero there, nor "
+           "where the shell is. A kink away from the zero set and the shell does no harm, such as that of abs(Z) - "
+           "0.1 at Z = 0"),
+       key("surface", Kind::text, {},
+           "a file .stl, .obj or .ply of at most 256 MB and two million triangles; its path is relative to the "
+           "case file. It holds the closed surface of a body, with normals outward and without self-intersections. "
+           "Corners at open sides are joined if their distance is less than a millionth of the surface's diagonal "
+           "and a hundredth of its median side"),
+       table("rotate", "rotation of the shape, before translate"),
+       key("translate", &obstacle::Motion::translation, {.unit = "m", .fallback = "[0, 0, 0]"},
+           "translation of the shape, after rotate"),
+       key("force", &obstacle::Obstacle::force, {.unit = "N", .fallback = "[0, 0, 0]"},
+           "force that presses the obstacle. The obstacle moves along the force as far as the shell lets it; it "
+           "does not move across the force or rotate. [0, 0, 0]: the obstacle is fixed"),
+       key("bed", &obstacle::Obstacle::bed, {.unit = "N/m^3", .range = Range::positive()},
+           "stiffness of an elastic surface, such as a rubber mat or soil: it gives by pressure over bed, and does not "
+           "pull. One obstacle may have a bed. Without it the obstacle is rigid"),
+       key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
+           "the face of the shell that may touch. lower: at -e/2 along a3; upper: at +e/2; auto: at each point the "
+           "face that looks at the obstacle; both: two obstacles, one for each face, with separate results. Where "
+           "the shell stands on an edge, auto is both, unless a force presses the obstacle")},
+      {"half_space", "ball", "cylinder", "box", "torus", "cone", "height_field", "distance", "surface"}};
+}
+
+/// Checks that a bed agrees with what was read before.
+void check_bed(const Table& table, const std::string& face, const problem::Problem& problem) {
+  if (face == "both")
+    table.report_key("bed", "an obstacle that both faces may touch cannot have a bed", "",
+                     "say which face touches it: lower, upper or auto");
+  if (const auto other = problem.shell.obstacles.on_bed())
+    table.report_key("bed",
+                     fmt::format("the obstacle \"{}\" has a bed already", problem.shell.obstacles.all[*other].name),
+                     "a bed on one obstacle", "make one of them rigid; a [[foundation]] resists in both directions");
+  if (element::is_relaxed(problem.shell.tangency.formulation))
+    table.report_key(
+        "bed", fmt::format("the {} formulation has no beds", element::to_string(problem.shell.tangency.formulation)),
+        "", "write formulation = \"tangent\"");
 }
 
 }  // namespace
@@ -101,6 +120,7 @@ void read_obstacles(Table& root, problem::Problem& problem) {
     if (face == "both" && result.is_pressed())
       table.report("force", "an obstacle that both faces may touch cannot be pressed by a force", "",
                    "say which face touches it: lower, upper or auto");
+    if (result.has_bed()) check_bed(table, face, problem);
     add_faces(std::move(result), face, problem);
   });
 }

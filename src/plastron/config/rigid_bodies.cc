@@ -67,7 +67,8 @@ std::vector<Section> rigid_body_sections() {
        "A rigid body that carries edges of the shell, such as an end plate or a clamp. Their nodes move as u = d + "
        "theta x (phi - reference), r = theta x a3, with six unknowns for all nodes. Obstacles do not stop these nodes; "
        "the depth of the shell in an obstacle there is measured and reported.",
-       {key("name", &RigidBody::name, {.required = true, .example = "\"end plate\""}, "a name that no other body has"),
+       {key("name", &RigidBody::name, {.required = true, .example = "\"end plate\""},
+            "a name that no other body has; step.factors multiply its force, moment and values"),
         key("boundary", &RigidBody::boundaries, read_boundaries,
             {.kind = Kind::name_or_names, .required = true, .example = "\"right\""},
             "one or several boundaries of the domain; two bodies must not share a node"),
@@ -92,6 +93,7 @@ void read_rigid_bodies(Table& root, problem::Problem& problem) {
     fem::RigidBody body;
     table.fill(body);
     check_body_name(table, problem.rigid_bodies, body.name);
+    body.factor = factor_of(body.name, problem);
     read_body_fix(table, body);
     read_body_values(table, body);
     auto& values = table.effective["values"] = nlohmann::json::object();

@@ -33,10 +33,15 @@ std::vector<Section> file_sections() {
             tables("join", "joined edges"),
             tables("rigid_body", "rigid bodies that carry edges"),
             tables("support", "prescribed displacements and rotations"),
+            tables("temperature", "temperatures"),
+            tables("foundation", "elastic foundations"),
+            tables("spring", "springs at points"),
             tables("load", "dead loads"),
             table("gravity", "gravity, for the weight of the shell"),
             tables("obstacle", "rigid obstacles"),
             tables("step", "loads and obstacles that change in steps"),
+            tables("case", "load cases"),
+            tables("envelope", "least and largest numbers of load cases"),
             tables("probe", "points where results are reported"),
             tables("line", "lines along which results are tabulated"),
             table("output", "form of the results"),
@@ -55,7 +60,8 @@ const std::vector<Section>& sections() {
     for (const auto declare :
          {file_sections, constants_sections, material_sections, shell_sections, geometry_sections,
           imperfection_sections, accuracy_sections, mesh_sections, join_sections, rigid_body_sections, support_sections,
-          load_sections, obstacle_sections, step_sections, probe_sections, output_sections, solver_sections})
+          temperature_sections, foundation_sections, load_sections, obstacle_sections, step_sections, probe_sections,
+          output_sections, solver_sections})
       std::ranges::move(declare(), std::back_inserter(list));
     return list;
   }();

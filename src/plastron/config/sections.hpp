@@ -30,6 +30,10 @@ void read_shell(Table& root, problem::Problem& problem);
 void read_regions(Table& root, problem::Problem& problem);
 /// Reads gravity. Call it after all densities.
 void read_gravity(Table& root, problem::Problem& problem);
+/// Returns [[temperature]].
+std::vector<Section> temperature_sections();
+/// Reads the temperatures. Call it after shell and regions.
+void read_temperatures(Table& root, problem::Problem& problem);
 /// Checks that finite rotations agree with the other choices of the case.
 void check_rotations(Table& root, const problem::Problem& problem);
 
@@ -70,8 +74,24 @@ void read_supports(Table& root, problem::Problem& problem);
 std::vector<Section> load_sections();
 void read_loads(Table& root, problem::Problem& problem);
 
+/// Declares `axes`, two directions at a right angle for the components of something.
+Key axes_key(const std::string& what);
+/// Returns the axes in the rows of a matrix; nothing if they are not given, or wrong.
+std::optional<Eigen::Matrix3d> read_axes(Table& table);
+
+/// Returns [[foundation]] and [[spring]].
+std::vector<Section> foundation_sections();
+/// Reads them. Call it after shell and regions, whose thickness it asks for.
+void read_foundations(Table& root, problem::Problem& problem);
+
 std::vector<Section> obstacle_sections();
 void read_obstacles(Table& root, problem::Problem& problem);
+/// Returns the place of the name in Problem::factor_names that the table gives by `name`, -1 if it gives none: what has the same name has
+/// the same factor.
+int read_factor_name(Table& table, problem::Problem& problem);
+/// Returns the place of this name, which is added if it is new.
+int factor_of(const std::string& name, problem::Problem& problem);
+
 /// Returns places in the problem's list: two for an obstacle that both faces may touch, none for an unknown name.
 std::vector<std::size_t> obstacles_named(const problem::Problem& problem, const std::string& name);
 /// Returns the shapes that are tables of their own keys.

@@ -12,8 +12,8 @@ namespace plastron::config {
 
 namespace {
 
-using assembly::CrossSection;
 using element::Formulation, element::Rotations, element::Tangency;
+using energy::CrossSection;
 using shell::Material;
 
 Section shell_section() {
@@ -28,6 +28,8 @@ Section shell_section() {
            "first Lame constant; 3 lambda + 2 mu > 0, and Poisson's ratio is at least -0.999"),
        key("mu", Kind::number, {.unit = "Pa", .range = Range::positive(), .example = "8e10"}, "shear modulus"),
        key("material", Kind::name, {.example = "\"carbon\""}, "a [[material]], in the place of E and nu"),
+       key("expansion", Kind::number, {.unit = "1/K", .example = "1.2e-5"},
+           "thermal expansion, strain per temperature, of an isotropic material; see [[temperature]]"),
        key("thickness", &CrossSection::thickness,
            {.unit = "m", .required = true, .range = Range::positive(), .example = "0.02"}, "the thickness e"),
        key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()},
@@ -71,6 +73,7 @@ Section region_section() {
            key("lambda", Kind::number, {.unit = "Pa"}, "first Lame constant, together with mu"),
            key("mu", Kind::number, {.unit = "Pa", .range = Range::positive()}, "shear modulus, together with lambda"),
            key("material", Kind::name, {}, "a [[material]], in the place of E and nu"),
+           key("expansion", Kind::number, {.unit = "1/K"}, "thermal expansion of an isotropic material"),
            key("density", &CrossSection::density, {.unit = "kg/m^3", .range = Range::positive()}, "mass per volume")}};
 }
 
@@ -80,8 +83,9 @@ Section gravity_section() {
       "[gravity]",
       "The weight of the shell: in each region a load of density times thickness times acceleration, per area of the "
       "mid-surface.",
-      {key("acceleration", &assembly::Loads::gravity, {.unit = "m/s^2", .required = true, .example = "[0, 0, -9.81]"},
-           "Cartesian acceleration of gravity; it needs a density in [shell] or in a [[region]]")}};
+      {key("acceleration", &energy::Loads::gravity, {.unit = "m/s^2", .required = true, .example = "[0, 0, -9.81]"},
+           "Cartesian acceleration of gravity; it needs a density in [shell] or in a [[region]]"),
+       key("name", Kind::name, {}, "a name for step.factors")}};
 }
 
 constexpr const char* pairs = "either E and nu, or lambda and mu, or material";
@@ -95,6 +99,9 @@ void from_young_poisson(Table& table, Material& material) {
   const auto E = table.number("E"), nu = table.number("nu");
   if (E && nu) material.law = Material::from_young_poisson(*E, *nu, 1).law;
 }
+
+/// Returns the expansion of an isotropic material, 0 for others.
+double expansion_of(const Material& material) { return material.isotropic() ? material.isotropic()->expansion : 0; }
 
 void from_lame(Table& table, Material& material) {
   const auto lambda = table.number("lambda"), mu = table.number("mu");
@@ -137,14 +144,24 @@ void from_name(Table& table, Material& material) {
     material.law = found->second->material.law;
 }
 
-/// Sets the elastic law from the table, if it is present and correct. `header`: name of the table in messages.
+/// Sets the law from the table, if it is present and correct. `header`: name of the table in messages.
 void read_material(Table& table, const std::string& header, Material& material) {
-  if (table.has("material")) return from_name(table, material);
-  if (table.has("E") || table.has("nu")) {
+  double expansion = expansion_of(material);
+  if (table.has("material")) {
+    from_name(table, material);
+    expansion = expansion_of(material);
+  } else if (table.has("E") || table.has("nu")) {
     if (has_pair(table, header, "E", "nu")) from_young_poisson(table, material);
   } else if (table.has("lambda") || table.has("mu")) {
     if (has_pair(table, header, "lambda", "mu")) from_lame(table, material);
   }
+  if (table.has("expansion")) {
+    if (table.has("material") || !material.isotropic())
+      table.report_key("expansion", fmt::format("{} has an expansion besides a [[material]]", header), "",
+                       "give the [[material]] its expansion");
+    expansion = table.number("expansion").value_or(0);
+  }
+  if (auto* isotropic = std::get_if<shell::Isotropic>(&material.law)) isotropic->expansion = expansion;
 }
 
 /// Sets the shear correction where [shell] does not give it. A section of several layers has no factor of its own.
@@ -157,8 +174,9 @@ void choose_shear_correction(const Table& root, Material& material) {
 
 /// Reads a cross-section of a region. Its initial values are the values of [shell].
 void read_own(Table& region, CrossSection& section) {
-  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density"))
-    region.report_here("[[region]] has nothing of its own", "thickness, E and nu, lambda and mu, material, density",
+  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density") && !region.has("expansion"))
+    region.report_here("[[region]] has nothing of its own",
+                       "thickness, E and nu, lambda and mu, material, expansion, density",
                        "give one of them, or leave the region out: it is like [shell] anyway");
   read_material(region, "[[region]]", section.material);
   region.fill(section);
@@ -176,14 +194,15 @@ std::optional<Place> density_place(const Table& root) {
   return {};
 }
 
-/// Returns the largest change of the factor of prescribed motions from one instant to the next.
-double largest_part_of_motions(const problem::Problem& problem) {
+/// Returns the largest change of the factor of a body's prescribed motions from one instant to the next.
+double largest_part_of_motions(const problem::Problem& problem, const fem::RigidBody& body) {
   if (problem.steps.empty()) return 1;
   double before = 0, most = 0;
   for (const problem::Step& step : problem.steps) {
     const double part = step.chooses_parts ? problem::Step::longest_chosen_part : 1.0 / step.parts;
-    most = std::max(most, part * std::abs(step.factors.supports - before));
-    before = step.factors.supports;
+    const double factor = step.factors.support(body.factor);
+    most = std::max(most, part * std::abs(factor - (problem.steps_are_cases ? 0 : before)));
+    before = factor;
   }
   return most;
 }
@@ -217,13 +236,13 @@ void check_rotations(Table& root, const problem::Problem& problem) {
       shell.report("rotations",
                    fmt::format("the {} formulation has no finite rotations", element::to_string(formulation)), "",
                    "write formulation = \"tangent\", or rotations = \"small\"");
-    const double part = largest_part_of_motions(problem);
     for (const fem::RigidBody& body : problem.rigid_bodies) {
+      const double part = largest_part_of_motions(problem, body);
       const auto given =
           std::count_if(body.fixed.begin() + 3, body.fixed.end(), [](const auto& v) { return v.has_value(); });
       double largest_factor = problem.steps.empty() ? 1 : 0;
       for (const problem::Step& step : problem.steps)
-        largest_factor = std::max(largest_factor, std::abs(step.factors.supports));
+        largest_factor = std::max(largest_factor, std::abs(step.factors.support(body.factor)));
       if (given < 3 && largest_factor * body.prescribed_rotation().norm() >= 2 * std::numbers::pi)
         shell.report(
             "rotations",
@@ -258,7 +277,10 @@ void read_gravity(Table& root, problem::Problem& problem) {
   if (!density_place(root))
     root.report_key("gravity", "[gravity] has nothing to pull at: no density is given", "",
                     "add density = 7850 to [shell] or to a [[region]]");
-  root.in_table("gravity", [&](Table& gravity) { gravity.fill(problem.shell.loads); });
+  root.in_table("gravity", [&](Table& gravity) {
+    gravity.fill(problem.shell.loads);
+    problem.shell.loads.gravity_factor = read_factor_name(gravity, problem);
+  });
 }
 
 }  // namespace plastron::config

@@ -69,6 +69,9 @@ void read_contact(Table& root, problem::Problem& problem) {
   root.in_table("contact", [&](Table& contact) {
     contact.fill(problem.shell.obstacles);
     contact.fill(problem);
+    if (problem.admissible && problem.shell.obstacles.on_bed())
+      contact.report("admissible", "a bed gives way, also between nodes: nothing is to be lifted there", "false",
+                     "remove admissible = true");
   });
 }
 

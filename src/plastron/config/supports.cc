@@ -3,7 +3,9 @@
 #include <plastron/config/sections.hpp>
 #include <plastron/geometry/quotation.hpp>
 
+#include <array>
 #include <map>
+#include <string_view>
 
 namespace plastron::config {
 
@@ -21,15 +23,17 @@ std::vector<std::string> components_of(const std::string& word) {
 }
 
 assembly::PrescribedComponent component(const std::string& name) {
-  static const std::map<std::string, Direction> directions{{"x", Direction::x},       {"y", Direction::y},
-                                                           {"z", Direction::z},       {"n", Direction::conormal},
-                                                           {"t", Direction::tangent}, {"a3", Direction::normal}};
+  static const std::map<std::string, Direction> directions{
+      {"x", Direction::x},       {"y", Direction::y},       {"z", Direction::z},      {"n", Direction::conormal},
+      {"t", Direction::tangent}, {"a3", Direction::normal}, {"1", Direction::axis_1}, {"2", Direction::axis_2},
+      {"3", Direction::axis_3},  {"d", Direction::given}};
   return {name[0] == 'u' ? Unknown::displacement : Unknown::rotation, directions.at(name.substr(2)), {}};
 }
 
 const std::vector<std::string>& fix_words() {
-  static const std::vector<std::string> all{"u",   "r",   "u.x", "u.y", "u.z", "u.n",  "u.t",     "u.a3",
-                                            "r.x", "r.y", "r.z", "r.n", "r.t", "r.a3", "symmetry"};
+  static const std::vector<std::string> all{"u",   "r",   "u.x", "u.y", "u.z", "u.n",  "u.t",      "u.a3",
+                                            "r.x", "r.y", "r.z", "r.n", "r.t", "r.a3", "symmetry", "u.1",
+                                            "u.2", "u.3", "u.d", "r.1", "r.2", "r.3",  "r.d"};
   return all;
 }
 
@@ -129,8 +133,8 @@ void check_components_at_point(const Table& support) {
   for (const toml::value& word : given.as_array()) {
     if (!word.is_string()) continue;
     const std::string& name = word.as_string().str;
-    if (std::ranges::count(fix_words(), name) == 0 || name == "u" || name == "u.x" || name == "u.y" || name == "u.z")
-      continue;
+    constexpr std::array in_space{"u", "u.x", "u.y", "u.z", "u.1", "u.2", "u.3", "u.d"};
+    if (std::ranges::count(fix_words(), name) == 0 || std::ranges::find(in_space, name) != in_space.end()) continue;
     if (name.starts_with("u."))
       support.reading().report(word, fmt::format("{} is no component at a point: a point has no edge to go by", name),
                                "u, u.x, u.y, u.z");
@@ -144,11 +148,38 @@ void check_components_at_point(const Table& support) {
   }
 }
 
+/// Reads the directions that words such as u.1 and u.d refer to.
+void read_directions(Table& support, const std::vector<Fixed>& fixed, assembly::Support& result) {
+  const auto uses = [&](const char* directions) {
+    return std::ranges::any_of(fixed, [&](const Fixed& f) {
+      return f.name.size() == 3 && std::string_view(directions).find(f.name[2]) != std::string_view::npos;
+    });
+  };
+  if (const auto axes = read_axes(support)) result.axes = *axes;
+  if (uses("123") != support.has("axes")) {
+    if (support.has("axes"))
+      support.report_key("axes", "fix names no component along these axes", "u.1, u.2, u.3, r.1, r.2, r.3");
+    else
+      support.report("fix", "a component along an axis is fixed, and there are no axes", "",
+                     "add for example axes = [[1, 1, 0], [-1, 1, 0]]");
+  }
+  if (support.has("direction"))
+    if (auto direction = support.field_vector("direction")) result.direction = std::move(*direction);
+  if (uses("d") != support.has("direction")) {
+    if (support.has("direction"))
+      support.report_key("direction", "fix names no component along this direction", "u.d, r.d");
+    else
+      support.report("fix", "a component along a direction is fixed, and there is no direction", "",
+                     "add for example direction = [\"cos(x)\", \"sin(x)\", 0]");
+  }
+}
+
 void read_support(Table& support, FixedOn& fixed_on, problem::Problem& problem) {
   const Places places = read_places(support);
   if (support.has("point")) check_components_at_point(support);
   FixedOn elsewhere;
   const auto names = places.names();
+  const std::size_t mistakes = support.reading().mistakes.size();
   const auto fixed =
       read_fix(support, names.empty() ? std::vector<std::string>{"\"\""} : names, names.empty() ? elsewhere : fixed_on);
   if (!fixed) return;
@@ -157,6 +188,8 @@ void read_support(Table& support, FixedOn& fixed_on, problem::Problem& problem) 
     result.point_in_space = places.point->head<3>();
   else if (places.point)
     result.point = places.point->head<2>();
+  result.factor = read_factor_name(support, problem);
+  if (support.reading().mistakes.size() == mistakes) read_directions(support, *fixed, result);
   for (const Fixed& f : *fixed) {
     result.components.push_back(component(f.name));
     result.symmetry = result.symmetry || f.by_symmetry;
@@ -179,23 +212,29 @@ std::optional<std::vector<std::string>> read_boundaries(Table& table, const std:
 }
 
 std::vector<Section> support_sections() {
-  return {{"support",
-           "[[support]]",
-           "Prescribed components of the displacement u and the rotation r on boundaries, or of u at a point. Three "
-           "points that fix three, two and one component prevent the six rigid motions of a shell whose loads are in "
-           "equilibrium. Any other force at a point is singular in this model and causes a warning.",
-           {key("boundary", Kind::name_or_names, {},
-                "one or several boundaries of the domain; give either boundary or point"),
-            key("point", Kind::place, {},
-                "a node of the coarsest mesh that finer meshes keep: a corner of a cell; if the degree is even, also "
-                "the middle of a side or of a quadrilateral. Only u.x, u.y, u.z can be fixed there"),
-            key("fix", Kind::names, {.required = true, .words = fix_words(), .example = "[\"u\", \"r\"]"},
-                "the fixed components. n is tangent to the shell and normal to the edge, outward; t runs along the "
-                "edge; a3 is normal to the shell. u and r stand for all three components, symmetry stands for u.n and "
-                "r.n. Any component of r also fixes r.a3"),
-            key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
-                "values of fixed components, each a number or an expression of x, y: { u.z = -0.01 } or { u = [0, 0, "
-                "\"-0.01*x\"] }; 0 if not given")}}};
+  return {
+      {"support",
+       "[[support]]",
+       "Prescribed components of the displacement u and the rotation r on boundaries, or of u at a point. Three "
+       "points that fix three, two and one component prevent the six rigid motions of a shell whose loads are in "
+       "equilibrium. Any other force at a point is singular in this model and causes a warning.",
+       {key("name", Kind::name, {}, "a name for step.factors, which then multiply the values"),
+        key("boundary", Kind::name_or_names, {},
+            "one or several boundaries of the domain; give either boundary or point"),
+        key("point", Kind::place, {},
+            "a node of the coarsest mesh that finer meshes keep: a corner of a cell; if the degree is even, also "
+            "the middle of a side or of a quadrilateral. Only u.x, u.y, u.z can be fixed there"),
+        key("fix", Kind::names, {.required = true, .words = fix_words(), .example = "[\"u\", \"r\"]"},
+            "the fixed components. n is tangent to the shell and normal to the edge, outward; t runs along the "
+            "edge; a3 is normal to the shell. u and r stand for all three components, symmetry stands for u.n and "
+            "r.n. 1, 2, 3 are the axes, d is the direction. Any component of r also fixes r.a3"),
+        axes_key("u.1, u.2, u.3 and of r.1, r.2, r.3"),
+        key("direction", Kind::field_vector, {},
+            "the direction of u.d and r.d, three numbers or expressions, of any length but 0: a roller on a slope is "
+            "fix = [\"u.d\"] with the normal of the slope"),
+        key("values", Kind::free_table, {.unit = "m, rad", .fallback = "{}"},
+            "values of fixed components, each a number or an expression of x, y: { u.z = -0.01 } or { u = [0, 0, "
+            "\"-0.01*x\"] }; 0 if not given")}}};
 }
 
 void read_supports(Table& root, problem::Problem& problem) {

@@ -174,10 +174,10 @@ std::optional<std::array<int, 2>> Table::cell_counts(const std::string& name) {
   return std::array{(*list)[0], (*list)[1]};
 }
 
-std::optional<assembly::VectorExpression> Table::field_vector(const std::string& name) {
+std::optional<energy::VectorExpression> Table::field_vector(const std::string& name) {
   const auto list = read(name, list_reader(Kind::field_vector, 3, read_field));
   if (!list) return {};
-  return assembly::VectorExpression{(*list)[0], (*list)[1], (*list)[2]};
+  return energy::VectorExpression{(*list)[0], (*list)[1], (*list)[2]};
 }
 
 bool Table::check_word(const Key& key, const Item& item, const std::string& word) const {

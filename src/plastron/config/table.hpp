@@ -1,8 +1,8 @@
 // A table of the case file with its declaration: only declared keys exist, absent ones have their default.
 // Values that are read are also noted as effective settings.
 #pragma once
-#include <plastron/assembly/loads.hpp>
 #include <plastron/config/reading.hpp>
+#include <plastron/energy/loads.hpp>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -62,7 +62,7 @@ class Table {
   std::optional<std::vector<std::string>> name_list(const std::string& name, const std::string& what,
                                                     const std::vector<std::string>& known);
   std::optional<geometry::Expression> field(const std::string& name);
-  std::optional<assembly::VectorExpression> field_vector(const std::string& name);
+  std::optional<energy::VectorExpression> field_vector(const std::string& name);
   /// Returns the only key of Section::exactly_one that is given; reports none and several.
   std::optional<std::string> shape(const std::string& example, const std::string& advice_for_several = "") const;
   /// Reads a table by `read` and notes its effective settings. Returns false if there is no table.

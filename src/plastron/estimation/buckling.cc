@@ -55,10 +55,10 @@ double largest_eigenvalue(const std::vector<double>& diagonal, const std::vector
 
 /// Applies the geometric stiffness of the membrane forces.
 algebra::Vector geometric_forces(const Solved& solved, const algebra::Vector& v) {
-  const assembly::ShellOperator& shell = solved.discrete.shell;
+  const energy::ShellOperator& shell = solved.discrete.shell;
   algebra::Vector f(shell.space().layout, 6);
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    assembly::CellStrain stresses = solved.discrete.stresses(c, solved.discrete.strains(c, solved.nodal.y));
+    energy::CellStrain stresses = solved.discrete.stresses(c, solved.discrete.strains(c, solved.nodal.y));
     stresses.rightCols<5>().setZero();
     shell.scatter(c, finite::geometric_forces(shell, stresses, shell.gather(c, v)), f);
   }

@@ -126,7 +126,7 @@ std::optional<double> ContactEdge::place_at_support(std::size_t cell, std::size_
 std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell, std::size_t obstacle,
                                                                 const element::BasisAt& at) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   const fem::Space& space = discrete.space();
   std::vector<geometry::Frame> frames(at.xi.size());
   std::vector<double> e(frames.size());
@@ -376,7 +376,7 @@ void ContactEdge::extend_to_held_nodes(std::size_t cell, std::size_t obstacle, E
 
 double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& dual) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   const fem::Space& space = discrete.space();
   const element::BasisAt& at = shell.tables().quadrature;
   const std::size_t obstacles = discrete.obstacles.all.size();
@@ -400,7 +400,7 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& du
   const Eigen::VectorXd lifts = interpolated_lifts(discrete, cell, obstacle, at);
   Products sum;
   for (int q = 0; q < u.rows(); ++q) {
-    const assembly::QuadraturePoint& p = shell.point(cell, q);
+    const energy::QuadraturePoint& p = shell.point(cell, q);
     obstacle::Gap gap = discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3,
                                                                     p.thickness, moved.row(q).transpose()));
     gap.initial -= lifts[q];  // LiftedBounds counts them

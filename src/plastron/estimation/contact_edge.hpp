@@ -101,7 +101,10 @@ class ContactEdge {
   std::vector<double> densities(const algebra::Vector& multiplier) const;
   void extend_to_held_nodes(std::size_t cell, std::size_t obstacle, Eigen::MatrixXd& densities) const;
   double share(std::size_t cell, std::size_t obstacle, const Dual& dual) const;
-  bool touches(std::size_t node, std::size_t obstacle) const { return width_->touches(node, obstacle); }
+  /// Whether a node touches a rigid obstacle: the pressure of a bed has no jump at the edge of its zone.
+  bool touches(std::size_t node, std::size_t obstacle) const {
+    return !solved_.discrete.obstacles.all[obstacle].has_bed() && width_->touches(node, obstacle);
+  }
   /// Whether all touching nodes of a cell lie on a rim that carries a line reaction.
   bool stands_on_rim(std::size_t cell, std::size_t obstacle) const;
   /// Whether a side of the cell on the rim has both touching and free nodes.

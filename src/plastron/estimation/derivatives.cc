@@ -21,15 +21,18 @@ algebra::Vector dual_load(algebra::Vector forces, const Solved& solved) {
 }
 
 /// The energy. With small rotations, 1/2 a(U, U): its own strain errors, and the reactions weighted with the values of fixed
-/// coordinates. With finite rotations, W(U): the dual of the forces of its stresses.
+/// coordinates. With finite rotations or initial strains, W(U): the dual of the forces of its stresses.
 Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
   Derivative result = zero_derivative(solved);
   const assembly::DiscreteShell& discrete = solved.discrete;
   result.value = discrete.energies(solved.nodal.y).total();
-  if (discrete.has_finite_rotations()) {
+  if (discrete.has_finite_rotations() || discrete.shell.sections().have_initial_strains() ||
+      discrete.obstacles.on_bed()) {
     result.dual.load = dual_load(forces_of_energy(discrete, solved.nodal.y), solved);
+    result.energy_part = -1;
     return result;
   }
+  result.energy_part = 1;
   for (std::size_t i = 0; i < solved.z.activity.size(); ++i)
     if (solved.z.activity[i] != contact::Activity::free) result.dual.fixed.owned()[i] = -solved.z.z.owned()[i];
   result.weighs_gaps = true;

@@ -28,6 +28,9 @@ struct Solved {
 struct Derivative {
   double value = 0;
   DualLoad dual;
+  /// Factor of the energy of the error in J(u) - J(u_h): of the energy, 1 where it needs no dual for loads; -1 where the dual of the
+  /// forces of its stresses gives W'(u)[e], from which this part is subtracted.
+  double energy_part = 0;
   bool weighs_gaps = false;  ///< true for the energy: reactions are weighted with the gap of the undeformed shell
   /// Direction along which reactions of `obstacle` are weighted.
   Eigen::Vector3d force_direction = Eigen::Vector3d::Zero();

@@ -28,15 +28,14 @@ double root_of_squares(const std::vector<double>& mine, MPI_Comm comm) {
 
 /// Adds the dual estimate of J(u) - J(u_h) from the dual z, cell by cell: int e_u : C : e_z minus the tying products
 /// of both.
-void add_dual_shares(const assembly::ShellOperator& shell, const AllErrors& u, const AllErrors& z,
+void add_dual_shares(const energy::ShellOperator& shell, const AllErrors& u, const AllErrors& z,
                      std::vector<double>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c)
     cells[c] += energy_product(shell, c, u[c], z[c]) - tying_product(u[c], z[c]) - tying_product(z[c], u[c]);
 }
 
-/// Adds the quadratic part of E(u) - E(u_h): `sign` times 1/2 a(e, e) minus the tying product. With small rotations it needs no
-/// dual (sign 1). With finite rotations the dual of the stresses' forces gives W'(u)[e]; then this part is subtracted.
-void add_energy_shares(const assembly::ShellOperator& shell, const AllErrors& u, double sign,
+/// Adds the quadratic part of E(u) - E(u_h): `sign` times 1/2 a(e, e) minus the tying product.
+void add_energy_shares(const energy::ShellOperator& shell, const AllErrors& u, double sign,
                        std::vector<double>& cells) {
   for (std::size_t c = 0; c < cells.size(); ++c)
     cells[c] += sign * (energy_product(shell, c, u[c], u[c]) / 2 - tying_product(u[c], u[c]));
@@ -51,7 +50,7 @@ double twist_product(const AllErrors& u, const AllErrors& z) {
 
 /// Half of the area between two nodes along the edge of a contact zone: the edge may lie anywhere between them. Their
 /// distance is the k-th part of a cell.
-double area_share(const assembly::ShellOperator& shell, std::size_t cell) {
+double area_share(const energy::ShellOperator& shell, std::size_t cell) {
   return shell.area(cell) / (2.0 * shell.space().degree);
 }
 
@@ -73,7 +72,7 @@ class GoalEstimator {
         duals_(solved.box, solved.z, preconditioner) {}
 
   GoalEstimate operator()(const Goal& goal) {
-    const assembly::ShellOperator& shell = solved_.discrete.shell;
+    const energy::ShellOperator& shell = solved_.discrete.shell;
     const Derivative d = derivative(goal.functional, solved_);
     GoalEstimate result{.name = goal.name,
                         .unit = unit_of(goal.functional),
@@ -81,10 +80,9 @@ class GoalEstimator {
                         .cells = std::vector<double>(shell.space().owned_cells, 0),
                         .tolerance = goal.tolerance,
                         .has_kinks = edge_.has_kinks()};
-    if (std::holds_alternative<Energy>(goal.functional)) {
-      const double sign = solved_.discrete.has_finite_rotations() ? -1 : 1;
-      add_energy_shares(shell, primal_, sign, result.cells);
-      result.free_edges += sign * twist_product(primal_, primal_) / 2;
+    if (d.energy_part != 0) {
+      add_energy_shares(shell, primal_, d.energy_part, result.cells);
+      result.free_edges += d.energy_part * twist_product(primal_, primal_) / 2;
     }
     EdgeShares at_edge(edge_.crossed().size());
     std::vector<double> by_lifts(result.cells.size(), 0);
@@ -102,7 +100,7 @@ class GoalEstimator {
         d.weighs_gaps) {  // where the touching nodes have no gap before the shell deforms; depths between nodes count
       at_edge = edge_.shares(d, duals_.zero(), algebra::Vector(d.dual.load.layout(), 6));
     }
-    if (result.has_dual && std::holds_alternative<Energy>(goal.functional)) quadratic_by_lifts = energy_of_lifts();
+    if (result.has_dual && d.energy_part != 0) quadratic_by_lifts = energy_of_lifts();
     sum_up(at_edge, result);
     add_lifts(by_lifts, quadratic_by_lifts, result);
     result.free_edges = algebra::sum_over_ranks(result.free_edges, shell.space().layout->comm);
@@ -190,7 +188,7 @@ std::vector<CrossedCell> crossed_cells(const ContactEdge& edge) {
 }  // namespace
 
 Estimates estimate(const Solved& solved, algebra::Preconditioner& preconditioner, std::span<const Goal> goals) {
-  const assembly::ShellOperator& shell = solved.discrete.shell;
+  const energy::ShellOperator& shell = solved.discrete.shell;
   const std::vector<FreeEdge> at_edges = free_edges(solved.discrete);
   StrainRecovery strain_errors(solved.discrete, at_edges);
   const AllErrors primal = strain_errors.of_solution(solved.nodal);

@@ -58,7 +58,7 @@ class FreeEdgesOf {
       : discrete_(discrete),
         space_(discrete.space()),
         cells_at_(cells_at_nodes(space_)),
-        load_(discrete.full_load),
+        load_(loads_and_initial_forces(discrete)),
         line_(mesh::gauss(space_.degree + 1)) {
     load_.update_ghosts();
   }
@@ -95,9 +95,9 @@ class FreeEdgesOf {
 
   std::vector<double> weights(const FreeEdge& edge, std::span<const geometry::Frame> frames,
                               std::vector<double> lengths) const {
-    const assembly::ShellOperator& shell = discrete_.shell;
+    const energy::ShellOperator& shell = discrete_.shell;
     std::vector<double> e(edge.xi.size());
-    const assembly::CrossSection& section = shell.section(edge.cell);
+    const energy::CrossSection& section = shell.section(edge.cell);
     shell.surface().evaluate(section.thickness, space_.cells[edge.cell], edge.xi, e);
     const double width = shell.area(edge.cell) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
     for (std::size_t i = 0; i < e.size(); ++i) {

@@ -103,7 +103,7 @@ Derivative at_place(const PointStress& point, const std::optional<fem::CellPoint
 }  // namespace
 
 Derivative derivative_of(const PointDisplacement& point, const Solved& solved) {
-  const assembly::ShellOperator& shell = solved.discrete.shell;
+  const energy::ShellOperator& shell = solved.discrete.shell;
   const fem::Space& space = shell.space();
   const auto place = fem::cell_point(space, point.at);
   algebra::Vector f(space.layout, 6);

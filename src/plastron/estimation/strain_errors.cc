@@ -36,14 +36,14 @@ class StrainErrorsOf {
   StrainErrors operator()(std::size_t cell) const {
     const element::CellField field = shell_.gather(cell, y_);
     const auto state = discrete_.linearised_at(kind_, cell, field);
-    const assembly::CellGeometry at = state ? shell_.geometry(cell, *state) : shell_.geometry(cell);
+    const energy::CellGeometry at = state ? shell_.geometry(cell, *state) : shell_.geometry(cell);
     const CellStrain strains = shell_.strains(cell, field, at);
     StrainErrors result{.error = CellStrain(strains.rows(), 8),
                         .stresses = recovered(cell, field),
                         .incompatibility = incompatibility(cell, field, strains, at),
                         .has_patch = patches_.has_patch(cell)};
     for (int q = 0; q < strains.rows(); ++q) {
-      const assembly::QuadraturePoint& p = shell_.point(cell, q);
+      const energy::QuadraturePoint& p = shell_.point(cell, q);
       const auto s = result.stresses.row(q);
       auto e = result.error.row(q);
       e = p.section.strains_of(s.transpose()).transpose() - strains.row(q);
@@ -119,7 +119,7 @@ class StrainErrorsOf {
   }
 
   CellStrain incompatibility(std::size_t cell, const element::CellField& field, const CellStrain& tied,
-                             const assembly::CellGeometry& at) const {
+                             const energy::CellGeometry& at) const {
     CellStrain result = CellStrain::Zero(tied.rows(), 8);
     if (!shell_.tables().tying) return result;
     const element::FieldRows rows =
@@ -134,7 +134,7 @@ class StrainErrorsOf {
   }
 
   const assembly::DiscreteShell& discrete_;
-  const assembly::ShellOperator& shell_;
+  const energy::ShellOperator& shell_;
   assembly::FieldKind kind_;
   const algebra::Vector& y_;
   const recovery::ResultantPatches& patches_;
@@ -163,7 +163,7 @@ std::vector<StrainErrors> StrainRecovery::errors(assembly::FieldKind kind, const
   return all;
 }
 
-double energy_product(const assembly::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
+double energy_product(const energy::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
                       const StrainErrors& z) {
   return shell.weighted_stresses(cell, u.error).cwiseProduct(z.error).sum() + u.edge_twist.dot(z.edge_twist);
 }
@@ -205,7 +205,7 @@ class Profiler {
 
   /// Computes a profile from strains and stresses at the points; stresses contain the points' area. The products give
   /// the energy, the strains its sign.
-  ErrorProfile operator()(const assembly::CellStrain& strains, const assembly::CellStrain& stresses) const {
+  ErrorProfile operator()(const energy::CellStrain& strains, const energy::CellStrain& stresses) const {
     const Index n = legendre_.rows();
     MatrixXd energy = MatrixXd::Zero(n, n);
     double first = 0;
@@ -234,8 +234,7 @@ class Profiler {
 
 }  // namespace
 
-std::vector<ErrorProfile> error_profiles(const assembly::ShellOperator& shell,
-                                         const std::vector<StrainErrors>& errors) {
+std::vector<ErrorProfile> error_profiles(const energy::ShellOperator& shell, const std::vector<StrainErrors>& errors) {
   if (shell.space().shape() != mesh::Shape::quadrilateral) return {};
   const Profiler profile(shell.space().degree + 1);
   std::vector<ErrorProfile> profiles;

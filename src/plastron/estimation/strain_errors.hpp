@@ -14,7 +14,7 @@
 
 namespace plastron::estimation {
 
-using assembly::CellStrain;
+using energy::CellStrain;
 
 /// Rows are the quadrature points of a cell.
 struct StrainErrors {
@@ -48,7 +48,7 @@ class StrainRecovery {
 };
 
 /// int e_u : C : e_z over an owned cell, with the layers at its free edges.
-double energy_product(const assembly::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
+double energy_product(const energy::ShellOperator& shell, std::size_t cell, const StrainErrors& u,
                       const StrainErrors& z);
 /// int sigma*(u) : incompatibility(z).
 double tying_product(const StrainErrors& u, const StrainErrors& z);
@@ -56,6 +56,6 @@ double tying_product(const StrainErrors& u, const StrainErrors& z);
 /// Returns the profile of each quadrilateral; empty for triangles. The error is expanded in products of Legendre
 /// polynomials P_i(xi_1) P_j(xi_2), orthonormal at the quadrature points. The part i^2 / (i^2 + j^2) of each squared
 /// coefficient counts as a change along xi_1, and half of a constant.
-std::vector<ErrorProfile> error_profiles(const assembly::ShellOperator& shell, const std::vector<StrainErrors>& errors);
+std::vector<ErrorProfile> error_profiles(const energy::ShellOperator& shell, const std::vector<StrainErrors>& errors);
 
 }  // namespace plastron::estimation

@@ -19,7 +19,7 @@ void add(const Examined& examined, const fem::Cell& cell, const std::vector<Eige
 Points in_domain(const Examined& examined, const NamedExpression& e) {
   Points points;
   for (const fem::Cell& cell : examined.space->cells) {
-    if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) continue;
+    if (!e.acts_in(energy::region_of(*examined.space->coarse, cell))) continue;
     add(examined, cell, examined.tables.quadrature.xi, points);
     add(examined, cell, examined.tables.nodes, points);
   }

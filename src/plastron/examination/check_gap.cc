@@ -46,10 +46,30 @@ void check_roundness(Examined& examined, const assembly::NodalPoint& nearest, st
 
 }  // namespace
 
+namespace {
+
+/// Checks that the stiffness of a bed is within sixteen digits of that of the shell through its thickness. Returns whether it is.
+bool check_bed(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
+  constexpr double stiffest = 1e9, softest = 1e-13;
+  const double bed = examined.problem.shell.obstacles.all[obstacle].bed;
+  if (bed == 0) return true;
+  const assembly::NodalPoint& point = nodes.points.front();
+  const double own = point.young / point.thickness;
+  if (bed > softest * own && bed < stiffest * own) return true;
+  examined.add(Severity::error, "the bed of {} has {:.3g} of the stiffness E/e of the shell through its thickness: {}",
+               obstacle_text(examined.problem, obstacle), bed / own,
+               bed < own ? "it carries nothing that double precision shows; leave the obstacle out"
+                         : "it is rigid in double precision; leave bed out");
+  return false;
+}
+
+}  // namespace
+
 void check_gap(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   const auto& [points, coordinates] = nodes;
   const auto& gaps = coordinates.gaps[obstacle];
   const std::string which = obstacle_text(examined.problem, obstacle);
+  if (!check_bed(examined, nodes, obstacle)) return;
   const auto initial = [](const obstacle::Gap& gap) { return gap.initial; };
   const auto [least, most] = std::ranges::minmax_element(gaps, {}, initial);
   const double rounding = 1e-9 * (examined.size + std::abs(least->initial));

@@ -64,7 +64,7 @@ void check_curvature(Examined& examined, const JumpSearch& search) {
 /// Returns f divided by the scale in the cells where it acts, zero in others.
 CellFunction values_of(const Examined& examined, const NamedExpression& e, double scale) {
   return [&examined, e, scale](const fem::Cell& cell, const Vector2d& xi) {
-    if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) return Sample(Sample::Zero(1));
+    if (!e.acts_in(energy::region_of(*examined.space->coarse, cell))) return Sample(Sample::Zero(1));
     double value = 0;
     examined.surface->evaluate(e.f, cell, {&xi, 1}, {&value, 1});
     return Sample(Sample::Constant(1, value / scale));
@@ -77,7 +77,7 @@ double scale_of(const Examined& examined, const NamedExpression& e) {
   std::vector<double> values(count);
   double largest = 0;
   for (const fem::Cell& cell : examined.space->cells) {
-    if (!e.acts_in(assembly::region_of(*examined.space->coarse, cell))) continue;
+    if (!e.acts_in(energy::region_of(*examined.space->coarse, cell))) continue;
     examined.surface->evaluate(e.f, cell, examined.tables.nodes, values);
     for (const double v : values) largest = std::max(largest, std::abs(v));
   }
@@ -86,7 +86,7 @@ double scale_of(const Examined& examined, const NamedExpression& e) {
 
 /// Returns the thicknesses that are not constant, each with the regions whose cells have it.
 std::vector<NamedExpression> thickness_expressions(const Examined& examined) {
-  const assembly::CrossSections& sections = examined.problem.shell.sections;
+  const energy::CrossSections& sections = examined.problem.shell.sections;
   std::vector<NamedExpression> all;
   NamedExpression common{.f = sections.common.thickness};
   for (const std::string& region : examined.space->coarse->regions) {

@@ -1,6 +1,6 @@
 // Checks rigid motions that the supports leave free. Nothing resists some of them. The obstacle may fix others if the
 // loads press the shell onto it; this is decided here.
-#include <plastron/assembly/load_vector.hpp>
+#include <plastron/energy/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/rigid_motions.hpp>
 #include <plastron/geometry/frame.hpp>
@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <variant>
@@ -18,15 +19,34 @@ namespace plastron::examination {
 
 namespace {
 
-algebra::Vector load_of(const Examined& examined) {
-  const problem::Problem& problem = examined.problem;
-  constexpr bool tying = false, is_covariant = false;  // the work on rigid motions, which are Cartesian fields
-  const assembly::ShellOperator shell(examined.space, examined.surface, problem.shell.sections, tying, is_covariant);
-  // Forces of initial strains turn with the shell: they do no work on rigid motions.
-  algebra::Vector load = assembly::load_vector(shell, problem.shell.loads);
-  algebra::axpy(-1, assembly::initial_forces(shell), load);
-  return load;
-}
+/// What carries and loads the sample mesh.
+class Carried {
+ public:
+  Carried(const Examined& examined, energy::Factors factors)
+      : factors_(std::move(factors)),
+        shell_(examined.space, examined.surface, examined.problem.shell.sections, false, false),
+        loads_(examined.problem.shell.loads) {
+    for (const energy::Foundation& foundation : examined.problem.shell.foundations)
+      if (auto term = energy::foundation_term(shell_, foundation)) terms_.push_back(std::move(term));
+  }
+
+  FreeMotions free_motions(const RigidMotions& motions, const ShellPart& part, const ExaminedNodes& nodes) const {
+    return free_rigid_motions(motions, part, nodes.coordinates, shell_, terms_);
+  }
+  /// The work of loads on rigid motions, to which initial strains do not contribute.
+  algebra::Vector load() const {
+    algebra::Vector sum(shell_.space().layout, 6);
+    for (const energy::LoadPart& part : energy::load_parts(shell_, loads_))
+      algebra::axpy(factors_.load(part.factor), part.forces, sum);
+    return sum;
+  }
+
+ private:
+  energy::Factors factors_;
+  energy::ShellOperator shell_;  // neither tied nor covariant: rigid motions are Cartesian fields without strain
+  const energy::Loads& loads_;
+  energy::Terms terms_{};
+};
 
 /// Whether natural frequencies are asked of an unloaded shell without obstacles. It is at rest, whatever holds it.
 bool vibrates_at_rest(const Examined& examined, const algebra::Vector& load) {
@@ -153,10 +173,10 @@ std::vector<std::string> in_words(const RigidMotions& motions, const Eigen::Matr
 }
 
 /// Checks the whole shell, which is one part.
-void check_one_part(Examined& examined, const ExaminedNodes& nodes, const ShellPart& part) {
+void check_one_part(Examined& examined, const ExaminedNodes& nodes, const Carried& carried, const ShellPart& part) {
   const RigidMotions motions(part.points);
-  const FreeMotions free = free_rigid_motions(motions, part, nodes.coordinates);
-  const bool is_at_rest = free.unheld.cols() > 0 && vibrates_at_rest(examined, load_of(examined));
+  const FreeMotions free = carried.free_motions(motions, part, nodes);
+  const bool is_at_rest = free.unheld.cols() > 0 && vibrates_at_rest(examined, carried.load());
   for (const std::string& motion : in_words(motions, free.unheld))
     if (is_at_rest)
       examined.add(Severity::note, "nothing holds the rigid motion: {}; its natural frequency is 0", motion);
@@ -165,7 +185,7 @@ void check_one_part(Examined& examined, const ExaminedNodes& nodes, const ShellP
                    "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries",
                    motion);
   if (free.held_by_obstacle.cols() > 0) {
-    const algebra::Vector load = load_of(examined);
+    const algebra::Vector load = carried.load();
     const Pressing found = pressing(motions, free.held_by_obstacle, part, nodes.coordinates, load.owned());
     if (found.hold != Hold::pressed)
       examined.add(found.hold == Hold::pulled_off ? Severity::error : Severity::warning, "{}",
@@ -200,10 +220,10 @@ std::string place_of_part(const Examined& examined, const ShellPart& part) {
 }
 
 /// The finding at one of several parts that are not joined; no text if its supports hold it.
-Finding motions_of_part(const Examined& examined, const ExaminedNodes& nodes, const ShellPart& part,
-                        const algebra::Vector& load) {
+Finding motions_of_part(const Examined& examined, const ExaminedNodes& nodes, const Carried& carried,
+                        const ShellPart& part, const algebra::Vector& load) {
   const RigidMotions motions(part.points);
-  const FreeMotions free = free_rigid_motions(motions, part, nodes.coordinates);
+  const FreeMotions free = carried.free_motions(motions, part, nodes);
   if (free.unheld.cols() > 0 && vibrates_at_rest(examined, load))
     return {Severity::note, fmt::format("nothing holds the rigid motions: {}; their natural frequencies are 0",
                                         fmt::join(in_words(motions, free.unheld), "; "))};
@@ -221,12 +241,13 @@ Finding motions_of_part(const Examined& examined, const ExaminedNodes& nodes, co
 }
 
 /// Checks parts that are not joined, and describes a few of each kind.
-void check_parts(Examined& examined, const ExaminedNodes& nodes, const std::vector<ShellPart>& parts) {
+void check_parts(Examined& examined, const ExaminedNodes& nodes, const Carried& carried,
+                 const std::vector<ShellPart>& parts) {
   constexpr std::size_t described = 3;
-  const algebra::Vector load = load_of(examined);
+  const algebra::Vector load = carried.load();
   std::map<Severity, std::size_t> count;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Finding found = motions_of_part(examined, nodes, parts[k], load);
+    const Finding found = motions_of_part(examined, nodes, carried, parts[k], load);
     if (!found.text.empty() && ++count[found.severity] <= described)
       examined.add(found.severity, "part {} of {}, {}: {}", k + 1, parts.size(), place_of_part(examined, parts[k]),
                    found.text);
@@ -245,12 +266,55 @@ bool has_fast_distance(const obstacle::Obstacle& obstacle) {
          !std::holds_alternative<obstacle::TriangleSurface>(obstacle.shape);
 }
 
-void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
+namespace {
+
+/// What carries and loads the shell at a time.
+struct Situation {
+  std::string where{};
+  energy::Factors factors = energy::Factors();
+};
+
+/// Returns the situation of the whole case, or those of steps in which factors of their own or supports change.
+std::vector<Situation> situations(const problem::Problem& problem) {
+  std::vector<Situation> all;
+  const auto kind = [](const energy::Factors& factors) {
+    std::vector<int> signs(factors.released.begin(), factors.released.end());
+    for (const double own : factors.named) signs.push_back(own > 0 ? 1 : own < 0 ? -1 : 0);
+    return signs;
+  };
+  const auto has_own = [](const problem::Step& step) {
+    return std::ranges::any_of(step.factors.named, [](double own) { return !std::isnan(own); }) ||
+           std::ranges::any_of(step.factors.released, [](char is_released) { return is_released != 0; });
+  };
+  if (std::ranges::none_of(problem.steps, has_own)) return {Situation{}};
+  for (const problem::Step& step : problem.steps)
+    if (std::ranges::none_of(all, [&](const Situation& other) { return kind(other.factors) == kind(step.factors); }))
+      all.push_back(
+          {fmt::format("in the {} \"{}\", ", problem.steps_are_cases ? "load case" : "step", step.name), step.factors});
+  return all;
+}
+
+void check_situation(Examined& examined, const ExaminedNodes& nodes, const energy::Factors& factors) {
   const std::vector<ShellPart> parts = parts_of(*examined.space, nodes.points);
+  const Carried carried(examined, factors);
   if (parts.size() == 1)
-    check_one_part(examined, nodes, parts.front());
+    check_one_part(examined, nodes, carried, parts.front());
   else
-    check_parts(examined, nodes, parts);
+    check_parts(examined, nodes, carried, parts);
+}
+
+}  // namespace
+
+void check_rigid_motions(Examined& examined, const ExaminedNodes& nodes) {
+  for (const Situation& situation : situations(examined.problem)) {
+    const std::size_t before = examined.findings.size();
+    const bool has_released =
+        std::ranges::any_of(situation.factors.released, [](char is_released) { return is_released != 0; });
+    check_situation(examined, has_released ? ExaminedNodes(examined, situation.factors) : nodes, situation.factors);
+    for (std::size_t k = before; k < examined.findings.size(); ++k)
+      if (examined.findings[k].severity != Severity::note)
+        examined.findings[k].text = situation.where + examined.findings[k].text;
+  }
 }
 
 }  // namespace plastron::examination

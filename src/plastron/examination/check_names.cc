@@ -33,8 +33,8 @@ void check_names(Examined& examined) {
                    fmt::join(known, ", "));
   };
   for (const auto& [name, section] : examined.problem.shell.sections.regions)
-    check(name, mesh.regions, "a thickness, material or density is given for the region");
-  const assembly::Loads& loads = examined.problem.shell.loads;
+    check(name, mesh.regions, "a thickness, material, density or temperature is given for the region");
+  const energy::Loads& loads = examined.problem.shell.loads;
   for (const std::string& region : loads.region_names()) check(region, mesh.regions, "a load names the region");
   for (const auto& s : examined.problem.shell.supports) {
     if (s.point)
@@ -51,6 +51,17 @@ void check_names(Examined& examined) {
           boundary);
   for (const std::string& boundary : loads.boundary_names())
     check(boundary, mesh.boundaries, "a load names the boundary");
+  for (const energy::Foundation& foundation : examined.problem.shell.foundations) {
+    for (const std::string& region : foundation.regions) check(region, mesh.regions, "a foundation names the region");
+    for (const std::string& boundary : foundation.boundaries) {
+      check(boundary, mesh.boundaries, "a foundation names the boundary");
+      if (std::ranges::find(mesh.fold_boundaries, boundary) != mesh.fold_boundaries.end())
+        examined.add(Severity::error,
+                     "a foundation is along \"{}\", which has the edges of all sides of the fold: it would count for "
+                     "each of them; name the curve in the mesh",
+                     boundary);
+    }
+  }
 }
 
 void check_lines(Examined& examined) {
@@ -64,6 +75,10 @@ void check_lines(Examined& examined) {
 }
 
 void check_probes(Examined& examined) {
+  for (const energy::Foundation& spring : examined.problem.shell.foundations)
+    if (spring.point && !fem::locate(*examined.space->coarse, *spring.point))
+      examined.add(Severity::error, "the spring \"{}\" at ({:g}, {:g}) lies outside of the domain", spring.name,
+                   (*spring.point)[0], (*spring.point)[1]);
   for (const problem::Probe& p : examined.problem.probes)
     if (!fem::locate(*examined.space->coarse, p.at))
       examined.add(Severity::error, "the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0],

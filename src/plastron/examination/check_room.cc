@@ -79,7 +79,9 @@ void check_room(Examined& examined, const ExaminedNodes& nodes) {
   const auto& obstacles = examined.problem.shell.obstacles.all;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const auto is_checked = [](const obstacle::Obstacle& o) { return !o.is_pressed() && has_fast_distance(o); };
+      const auto is_checked = [](const obstacle::Obstacle& o) {
+        return !o.is_pressed() && !o.has_bed() && has_fast_distance(o);
+      };
       if (is_checked(obstacles[i]) && is_checked(obstacles[j])) check_pair(examined, nodes, j, i);
     }
 }

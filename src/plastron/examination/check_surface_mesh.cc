@@ -129,7 +129,7 @@ void report_directors(Findings& findings, const domain::FileSurface& surface) {
 
 /// Warns of cells that are nearer to each other than a thickness and of cells that pass through each other.
 void report_intersections(Examined& examined, const domain::FileSurface& surface) {
-  const assembly::CrossSections& sections = examined.problem.shell.sections;
+  const energy::CrossSections& sections = examined.problem.shell.sections;
   std::vector<double> thickness;
   for (const std::string& region : surface.regions) {
     const auto own = sections.regions.find(region);

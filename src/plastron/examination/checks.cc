@@ -2,7 +2,7 @@
 #include <plastron/examination/examine.hpp>
 
 #include <plastron/assembly/deformed.hpp>
-#include <plastron/assembly/load_vector.hpp>
+#include <plastron/energy/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/fem/mesh_sequence.hpp>
 #include <plastron/meshing/sequence.hpp>
@@ -31,7 +31,8 @@ void check_nodes(Examined& examined) {
   try {
     check_symmetry(examined);
     check_directors(examined);
-    const ExaminedNodes nodes(examined);
+    const ExaminedNodes nodes(
+        examined, examined.problem.steps.empty() ? energy::Factors{} : examined.problem.steps.front().factors);
     for (std::size_t k = 0; k < examined.problem.shell.obstacles.all.size(); ++k) {
       check_gap(examined, nodes, k);
       check_face(examined, nodes, k);
@@ -42,7 +43,7 @@ void check_nodes(Examined& examined) {
     check_rigid_motions(examined, nodes);
   } catch (const assembly::SupportError& error) {
     examined.add(Severity::error, "{}", error.what());
-  } catch (const assembly::LoadError& error) {
+  } catch (const energy::LoadError& error) {
     if (!has_errors(examined.findings)) examined.add(Severity::error, "{}", error.what());
   }
 }
@@ -83,19 +84,21 @@ namespace {
 
 /// Returns the supports of the undeformed shell. With finite rotations three components of r prescribe a director.
 std::vector<assembly::NodeSupport> supports_of(const Examined& examined,
-                                               const std::vector<assembly::NodalPoint>& points) {
+                                               const std::vector<assembly::NodalPoint>& points,
+                                               const energy::Factors& factors) {
   const assembly::ShellDescription& shell = examined.problem.shell;
-  auto supports = assembly::node_supports(*examined.space, *examined.surface, points, shell.supports);
+  auto supports = assembly::node_supports(*examined.space, *examined.surface, points, shell.supports,
+                                          {.released = factors.released});
   if (shell.rotations == element::Rotations::small) return supports;
   return assembly::remaining_supports(std::move(supports), points, algebra::Vector(examined.space->layout, 6));
 }
 
 }  // namespace
 
-ExaminedNodes::ExaminedNodes(const Examined& examined)
+ExaminedNodes::ExaminedNodes(const Examined& examined, const energy::Factors& factors)
     : points(assembly::nodal_geometry(*examined.space, *examined.surface, examined.tables,
                                       examined.problem.shell.sections)),
-      coordinates(assembly::nodal_coordinates(examined.space, points, supports_of(examined, points),
+      coordinates(assembly::nodal_coordinates(examined.space, points, supports_of(examined, points, factors),
                                               examined.problem.shell.obstacles,
                                               examined.problem.shell.tangency.formulation)) {}
 

@@ -43,8 +43,8 @@ struct Examined {
 
 /// The nodes of the sample mesh with their supports and gaps.
 struct ExaminedNodes {
-  /// Computes the supports and gaps. Throws assembly::SupportError.
-  explicit ExaminedNodes(const Examined& examined);
+  /// Computes the supports and gaps, with the supports that these factors do not release. Throws assembly::SupportError.
+  explicit ExaminedNodes(const Examined& examined, const energy::Factors& factors = {});
 
   std::vector<assembly::NodalPoint> points;
   assembly::NodalCoordinates coordinates;

@@ -42,6 +42,14 @@ std::string component_name(const assembly::PrescribedComponent& component) {
         return "n";
       case assembly::Direction::tangent:
         return "t";
+      case assembly::Direction::axis_1:
+        return "1";
+      case assembly::Direction::axis_2:
+        return "2";
+      case assembly::Direction::axis_3:
+        return "3";
+      case assembly::Direction::given:
+        return "d";
       default:
         return "a3";
     }
@@ -69,9 +77,31 @@ std::vector<NamedExpression> support_expressions(const problem::Problem& problem
 std::vector<NamedExpression> load_expressions(const problem::Problem& problem) {
   std::vector<NamedExpression> all;
   problem.shell.loads.for_each_expression(
-      [&](const Expression& f, const std::string& name, const assembly::LoadPlace& place) {
+      [&](const Expression& f, const std::string& name, const energy::LoadPlace& place) {
         add(name, f, {.boundary = place.boundary, .regions = place.regions}, all);
       });
+  for (const energy::Foundation& foundation : problem.shell.foundations) {
+    const std::string of =
+        fmt::format(" of {} \"{}\"", foundation.is_spring() ? "spring" : "foundation", foundation.name);
+    const NamedExpression where{.boundary = foundation.boundaries.empty() ? "" : foundation.boundaries.front(),
+                                .regions = foundation.regions,
+                                .point = foundation.point};
+    for (const auto& [name, f] :
+         {std::pair("the normal stiffness", &foundation.normal),
+          std::pair("the tangential stiffness", &foundation.tangential),
+          std::pair("the shear stiffness", &foundation.shear), std::pair("a stiffness", &foundation.stiffness[0]),
+          std::pair("a stiffness", &foundation.stiffness[1]), std::pair("a stiffness", &foundation.stiffness[2])})
+      add(name + of, *f, where, all);
+  }
+  const auto add_temperatures = [&](const energy::CrossSection& section, const std::vector<std::string>& regions) {
+    for (const energy::Temperature& temperature : section.temperatures) {
+      add("the mean of a temperature", temperature.mean, {.regions = regions}, all);
+      add("the difference of a temperature", temperature.difference, {.regions = regions}, all);
+    }
+  };
+  const energy::CrossSections& sections = problem.shell.sections;
+  if (sections.regions.empty()) add_temperatures(sections.common, {});
+  for (const auto& [region, section] : sections.regions) add_temperatures(section, {region});
   return all;
 }
 

@@ -89,6 +89,23 @@ Matrix6 RigidMotions::fixed_by(const fem::RigidBody& body) const {
   return gram;
 }
 
+Matrix6 RigidMotions::stiffness_of(const energy::Term& term, const energy::ShellOperator& shell,
+                                   const ShellPart& part) const {
+  Matrix6 all = Matrix6::Zero();
+  for (int k = 0; k < 6; ++k) {
+    algebra::Vector motion(shell.space().layout, 6), forces = motion;
+    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+      RigidMotion moved = at(part.points[i]).col(k);
+      moved.tail<3>() /= size_;
+      std::ranges::copy(moved, motion.at(part.nodes[i]).begin());
+    }
+    term.add_forces(shell, motion, forces);
+    all.col(k) = work(part, forces.local());
+  }
+  const double largest = all.diagonal().maxCoeff();
+  return largest > 0 ? Matrix6(all / largest) : all;
+}
+
 RigidMotion RigidMotions::work(const ShellPart& part, std::span<const double> forces) const {
   RigidMotion sum = RigidMotion::Zero();
   for (std::size_t i = 0; i < part.nodes.size(); ++i) {
@@ -154,8 +171,11 @@ std::vector<RigidMotion> readable(const MatrixXd& basis) {
 }
 
 FreeMotions free_rigid_motions(const RigidMotions& motions, const ShellPart& part,
-                               const assembly::NodalCoordinates& coordinates) {
+                               const assembly::NodalCoordinates& coordinates, const energy::ShellOperator& shell,
+                               const energy::Terms& terms) {
   Matrix6 by_supports = Matrix6::Zero(), by_gap = Matrix6::Zero();
+  for (const auto& term : terms)
+    by_supports += static_cast<double>(part.nodes.size()) * motions.stiffness_of(*term, shell, part);
   for (std::size_t i = 0; i < part.nodes.size(); ++i) {
     const std::size_t node = part.nodes[i];
     const Matrix6 at_node = motions.at(part.points[i]);

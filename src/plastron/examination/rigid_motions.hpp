@@ -1,6 +1,7 @@
 // The rigid motions u = c + w x phi, r = w x a_3 that the supports leave free, and the contacts that may fix them.
 #pragma once
 #include <plastron/assembly/nodal_coordinates.hpp>
+#include <plastron/energy/term.hpp>
 #include <plastron/fem/rigid_body.hpp>
 
 #include <Eigen/Core>
@@ -33,6 +34,9 @@ class RigidMotions {
   RigidMotion gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const;
   /// Returns the Gram matrix of a rigid body's prescribed components as functionals of the motions.
   Eigen::Matrix<double, 6, 6> fixed_by(const fem::RigidBody& body) const;
+  /// Returns v' K w for the motions v, w of the part and a term of the potential, as a part of the largest one.
+  Eigen::Matrix<double, 6, 6> stiffness_of(const energy::Term& term, const energy::ShellOperator& shell,
+                                           const ShellPart& part) const;
   /// Returns the work of nodal forces and couples (u and r of every node of the mesh in turn) on the part, for each
   /// coefficient.
   RigidMotion work(const ShellPart& part, std::span<const double> forces) const;
@@ -59,9 +63,10 @@ struct FreeMotions {
   Eigen::MatrixXd held_by_obstacle;  ///< the others: they change the gap, so contact may fix them; orthonormal
 };
 
-/// Returns the free motions of the part. `motions` are those of its points.
+/// Returns the free motions of the part. `motions` are those of its points; `terms` resist motions, too.
 FreeMotions free_rigid_motions(const RigidMotions& motions, const ShellPart& part,
-                               const assembly::NodalCoordinates& coordinates);
+                               const assembly::NodalCoordinates& coordinates, const energy::ShellOperator& shell,
+                               const energy::Terms& terms);
 
 /// Returns the columns of a basis in reduced echelon form, which shows pure translations and rotations.
 std::vector<RigidMotion> readable(const Eigen::MatrixXd& basis);

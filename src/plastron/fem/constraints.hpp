@@ -45,7 +45,8 @@ std::shared_ptr<const Space> with_rigid_bodies(std::shared_ptr<const Space> spac
                                                const std::vector<RigidBody>& bodies);
 
 /// Returns the space whose rigid bodies have a part of the prescribed motions.
-std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space, double part);
+std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space,
+                                                  const std::function<double(const RigidBody&)>& part);
 
 /// Returns the space for small motions about a deformed state, in which kinks and rigid bodies have turned (collective).
 /// `normals`, `directors`: those of local nodes before and now. `places`: those of the bodies, whose prescribed

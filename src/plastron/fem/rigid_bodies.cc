@@ -266,12 +266,14 @@ PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
 
 }  // namespace
 
-std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space, double part) {
-  if (space->bodies.empty() || part == 1) return space;
+std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space,
+                                                  const std::function<double(const RigidBody&)>& part) {
+  if (std::ranges::all_of(space->bodies, [&](const PlacedBody& placed) { return part(placed.body) == 1; }))
+    return space;
   auto result = std::make_shared<Space>(*space);
   for (PlacedBody& placed : result->bodies)
     for (auto& value : placed.body.fixed)
-      if (value) *value *= part;
+      if (value) *value *= part(placed.body);
   return result;
 }
 

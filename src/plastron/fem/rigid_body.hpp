@@ -24,6 +24,7 @@ struct RigidBody {
   std::array<std::optional<double>, 6> fixed{};         ///< prescribed components of d [m], then theta [rad]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< force at the reference point [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< moment about the reference point [N m]
+  int factor = -1;  ///< place of its own factor in a list of factors; -1: it has none
 
   bool operator==(const RigidBody& other) const = default;
 

@@ -27,10 +27,10 @@ struct SmallMotions {
 /// Returns the coordinates of the shell without a relaxed formulation.
 NodalCoordinates tangent_coordinates(const assembly::DiscreteShell& discrete) {
   if (discrete.has_finite_rotations()) return discrete.coordinates;
-  return nodal_coordinates(
-      discrete.shell.space_pointer(), discrete.points,
-      node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports), discrete.obstacles,
-      element::Formulation::tangent, discrete.state);
+  return nodal_coordinates(discrete.shell.space_pointer(), discrete.points,
+                           node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports,
+                                         discrete.state.factors),
+                           discrete.obstacles, element::Formulation::tangent, discrete.state);
 }
 
 SmallMotions small_motions(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
@@ -44,12 +44,12 @@ SmallMotions small_motions(const assembly::DiscreteShell& discrete, const soluti
 
 /// Returns the matrix of int rho (e u . v + e^3/12 r . s) dS.
 algebra::Matrix mass_matrix(const assembly::DiscreteShell& discrete, const NodalCoordinates& coordinates) {
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   const Eigen::MatrixXd& value = shell.tables().quadrature.value;
   return assembly::matrix_of_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
     Eigen::VectorXd of_u(value.rows()), of_r(value.rows());
     for (Eigen::Index q = 0; q < value.rows(); ++q) {
-      const assembly::QuadraturePoint p = shell.point(c, static_cast<int>(q));
+      const energy::QuadraturePoint p = shell.point(c, static_cast<int>(q));
       of_u[q] = shell.section(c).density * p.thickness * p.area;
       of_r[q] = of_u[q] * p.thickness * p.thickness / 12;
     }

@@ -16,9 +16,17 @@ using Eigen::Vector3d;
 
 namespace {
 
+/// Returns (u, r) after the step.
+algebra::Vector after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
+  algebra::Vector y = discrete.state.displacement;
+  algebra::axpy(1, step.increment, y);
+  y.update_ghosts();
+  return y;
+}
+
 /// Returns the linearised strains after the step.
 CellStrain strains_after(const assembly::DiscreteShell& discrete, const NewtonStep& step, std::size_t cell) {
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   return shell.finite_strains(cell, shell.gather(cell, discrete.state.displacement)) +
          shell.strains(cell, shell.gather(cell, step.increment), discrete.geometry(cell));
 }
@@ -37,10 +45,12 @@ void for_reactions(const NodalCoordinates& coordinates, const contact::BoxSoluti
 StepStart start_after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const auto& layout = discrete.space().layout;
-  StepStart next{.prestress = {.contact_forces = algebra::Vector(layout, 6)},
-                 .zone = algebra::Vector(layout, discrete.obstacle_block())};
+  StepStart next{
+      .prestress = {.contact_forces = algebra::Vector(layout, 6), .forces_of_terms = algebra::Vector(layout, 6)},
+      .zone = algebra::Vector(layout, discrete.obstacle_block())};
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     next.prestress.stresses.push_back(discrete.stresses(c, strains_after(discrete, step, c)));
+  add_forces_of_terms(discrete, after(discrete, step), next.prestress.forces_of_terms);
   for_reactions(coordinates, step.box, [&](const ContactRow& row, double force) {
     const auto k = static_cast<std::size_t>(row.obstacle);
     add_contact_force(force, coordinates.gaps[k][row.node], row.node, next.prestress.contact_forces);
@@ -185,10 +195,11 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
 StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const MPI_Comm comm = discrete.space().layout->comm;
-  StepTotals totals{
-      .energy =
-          discrete.shell.energies_of([&](std::size_t cell) { return strains_after(discrete, step, cell); }).total(),
-      .obstacle_forces{coordinates.gaps.size(), Vector3d::Zero()}};
+  StepTotals totals{.energy = discrete
+                                  .energies_of([&](std::size_t cell) { return strains_after(discrete, step, cell); },
+                                               after(discrete, step))
+                                  .total(),
+                    .obstacle_forces{coordinates.gaps.size(), Vector3d::Zero()}};
   for_reactions(coordinates, step.box, [&](const ContactRow& row, double force) {
     const auto k = static_cast<std::size_t>(row.obstacle);
     totals.obstacle_forces[k] += force * coordinates.gaps[k][row.node].normal;
@@ -202,14 +213,19 @@ StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonSte
 
 double potential(const assembly::DiscreteShell& discrete, double weight) {
   const algebra::Vector& y = discrete.state.displacement;
-  double depth = 0;
+  double depth = 0, of_beds = 0;
   for (const ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
-    if (row.binds)
-      depth += std::max(0.0, discrete.state.lift(row.node, k) - discrete.coordinates.gaps[k][row.node].initial);
+    if (!row.binds) continue;
+    const double closed =
+        std::max(0.0, discrete.state.lift(row.node, k) - discrete.coordinates.gaps[k][row.node].initial);
+    if (row.bed > 0)
+      of_beds += row.bed * closed * closed / 2;
+    else
+      depth += closed;
   }
   return discrete.energies(y).total() - algebra::dot(discrete.load, y) +
-         weight * algebra::sum_over_ranks(depth, discrete.space().layout->comm);
+         algebra::sum_over_ranks(of_beds + weight * depth, discrete.space().layout->comm);
 }
 
 double largest_reaction(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
@@ -228,6 +244,10 @@ ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solu
                              .activity = assembly::likely_activity(coordinates, solution.touching)}};
   at.z.multiplier = at.box.load;
   for (double& value : at.z.multiplier.local()) value = -value;
+  for (const ContactRow& row : coordinates.rows)
+    if (row.bed > 0) at.z.z.owned()[coordinates.at(row.node, row.coordinate)] = std::max(0.0, -row.bound_gap);
+  coordinates.add_bed_forces(at.z.z, at.z.multiplier);
+  at.z.z.update_ghosts();
   const std::vector<char> prescribed = coordinates.prescribed();
   for (std::size_t i = 0; i < prescribed.size(); ++i)
     if (prescribed[i]) at.z.activity[i] = contact::Activity::prescribed;
@@ -241,7 +261,7 @@ assembly::State next_state(const assembly::DiscreteShell& discrete, const StepSt
   const auto pressed = assembly::pressed_obstacles(discrete);
   next.positions = discrete.positions();
   for (std::size_t j = 0; j < pressed.size(); ++j) next.positions[pressed[j]] += part * step.box.positions[j];
-  next.factors.loads += part * step.load_change;
+  if (next.control) next.factors.controlled(next.control->factor) += part * step.load_change;
   next.displacement = discrete.state.displacement;
   algebra::axpy(part, step.increment, next.displacement);
   next.displacement.update_ghosts();

@@ -50,7 +50,7 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
 
 /// Totals of the linearised shell after a step.
 struct StepTotals {
-  double energy = 0;                               ///< (M27) of the linearised strains, without initial strains [J]
+  double energy = 0;                               ///< (M27) of the linearised strains [J]
   std::vector<Eigen::Vector3d> obstacle_forces{};  ///< forces on the shell [N]
   double contact_area = 0;                         ///< sum of the nodal areas in contact [m^2]
 };

@@ -13,12 +13,6 @@ Eigen::MatrixXd weighted_product(const Eigen::MatrixXd& a, const Eigen::VectorXd
   return a.transpose() * weights.asDiagonal() * b;
 }
 
-constraints::NodeColumns on_both_sides(const assembly::NodalCoordinates& coordinates,
-                                       std::span<const algebra::LocalIndex> nodes, RowMatrix matrix) {
-  const RowMatrix half = assembly::in_coordinates(coordinates, nodes, std::move(matrix)).matrix;
-  return assembly::in_coordinates(coordinates, nodes, half.transpose());
-}
-
 constraints::NodeColumns in_coordinates(const assembly::NodalCoordinates& coordinates, std::size_t cell,
                                         const ScalarBlocks& blocks) {
   RowMatrix k = RowMatrix::Zero(6 * blocks.of_u.rows(), 6 * blocks.of_u.rows());

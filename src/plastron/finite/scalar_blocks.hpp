@@ -18,10 +18,6 @@ ScalarBlocks zero_blocks(int nodes);
 /// Returns the sum over points p of weight_p a_pi b_pj.
 Eigen::MatrixXd weighted_product(const Eigen::MatrixXd& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& b);
 
-/// Transforms a symmetric matrix on (u, r) of nodes to nodal coordinates, on both sides.
-constraints::NodeColumns on_both_sides(const assembly::NodalCoordinates& coordinates,
-                                       std::span<const algebra::LocalIndex> nodes, assembly::RowMatrix matrix);
-
 /// Transforms the matrix on (u, r) of the cell's nodes to nodal coordinates, on both sides.
 constraints::NodeColumns in_coordinates(const assembly::NodalCoordinates& coordinates, std::size_t cell,
                                         const ScalarBlocks& blocks);

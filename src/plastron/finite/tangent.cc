@@ -1,5 +1,5 @@
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/assembly/follower_pressure.hpp>
+#include <plastron/energy/follower_pressure.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/finite/motion_curvature.hpp>
 #include <plastron/finite/scalar_blocks.hpp>
@@ -13,8 +13,8 @@
 namespace plastron::finite {
 
 using assembly::RowMatrix;
-using assembly::ShellOperator;
 using Eigen::Vector3d;
+using energy::ShellOperator;
 
 namespace {
 
@@ -81,41 +81,41 @@ ScalarBlocks geometric_stiffness(const ShellOperator& shell, const CellStrain& s
 /// Returns the stiffness of a cell by stresses and by pressure that follows it.
 constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                              const assembly::NodalCoordinates& coordinates, std::size_t cell,
-                                             const assembly::CellGeometry& at) {
+                                             const energy::CellGeometry& at) {
   constraints::NodeColumns k = in_coordinates(
       coordinates, cell, geometric_stiffness(discrete.shell, prestress.stresses[cell], prestress.is_exact));
-  const auto& pressure = discrete.follower_pressure;
-  if (discrete.has_finite_rotations() && !pressure.empty() && pressure[cell].size() > 0)
-    k.matrix +=
-        on_both_sides(coordinates, coordinates.space->nodes(cell),
-                      discrete.state.factors.loads * assembly::follower_stiffness(discrete.shell, pressure[cell], at))
-            .matrix;
+  const Eigen::VectorXd pressure =
+      discrete.has_finite_rotations() ? discrete.follower_pressure(cell) : Eigen::VectorXd();
+  if (pressure.size() > 0)
+    k.matrix += on_both_sides(coordinates, coordinates.space->nodes(cell),
+                              energy::follower_stiffness(discrete.shell, pressure, at))
+                    .matrix;
   return k;
 }
 
 /// Returns the derivative of the energy less all forces but those on rigid bodies, at the nodes: Cartesian forces and couples.
 algebra::Vector unbalanced_forces(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                   const fem::Space& space) {
-  algebra::Vector forces = forces_of_stresses(
+  algebra::Vector forces = assembly::forces_of_stresses(
       discrete.shell, [&](std::size_t c) { return prestress.stresses[c]; },
       [&](std::size_t c) { return discrete.geometry(c); });
+  algebra::axpy(1, prestress.forces_of_terms, forces);
   algebra::axpy(-1, discrete.load, forces);
-  if (!discrete.has_finite_rotations())
-    algebra::axpy(discrete.state.factors.loads, assembly::initial_forces(discrete.shell), forces);
   algebra::axpy(-1, prestress.contact_forces, forces);
-  algebra::Vector on_bodies(forces.layout(), 6);
-  for (const fem::PlacedBody& placed : space.bodies) fem::add_body_load(space, placed, on_bodies);
-  algebra::axpy(discrete.state.factors.loads, on_bodies, forces);
+  for (const fem::PlacedBody& placed : space.bodies) {
+    algebra::Vector on_body(forces.layout(), 6);
+    fem::add_body_load(space, placed, on_body);
+    algebra::axpy(discrete.state.factors.load(placed.body.factor), on_body, forces);
+  }
   return forces;
 }
 
-/// Adds the curvature of constrained motions to the stiffness of the cells, `of_cell`.
+/// Adds the curvature of constrained motions to the stiffness of the cells, `of_cell`. The matrix is not finished.
 template <class OfCell>
 algebra::Matrix with_curvature(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates, const OfCell& of_cell) {
-  algebra::Matrix matrix = assembly::matrix_of_cells(*coordinates.space, coordinates.width, of_cell);
+  algebra::Matrix matrix = assembly::sum_over_cells(*coordinates.space, coordinates.width, of_cell);
   add_curvature_of_motions(discrete, unbalanced_forces(discrete, prestress, *coordinates.space), coordinates, matrix);
-  matrix.finish();
   return matrix;
 }
 
@@ -129,14 +129,16 @@ void add_contact_force(double force, const obstacle::Gap& gap, std::size_t node,
 Prestress no_prestress(const assembly::DiscreteShell& discrete) {
   const fem::Space& space = discrete.space();
   return {.stresses = {space.owned_cells, CellStrain(CellStrain::Zero(discrete.shell.tables().points_per_cell(), 8))},
-          .contact_forces = algebra::Vector(space.layout, 6)};
+          .contact_forces = algebra::Vector(space.layout, 6),
+          .forces_of_terms = algebra::Vector(space.layout, 6)};
 }
 
 Prestress prestress(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   Prestress result;
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     result.stresses.push_back(discrete.stresses(c, discrete.strains(c, solution.y)));
-  result.contact_forces = algebra::Vector(discrete.space().layout, 6);
+  result.contact_forces = result.forces_of_terms = algebra::Vector(discrete.space().layout, 6);
+  add_forces_of_terms(discrete, solution.y, result.forces_of_terms);
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
     add_contact_force(solution.pressure.at(row.node)[k] * discrete.points[row.node].weight,
@@ -156,26 +158,34 @@ element::CellField geometric_forces(const ShellOperator& shell, const CellStrain
 
 algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
                                 const assembly::NodalCoordinates& coordinates) {
-  return assembly::matrix_of_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
-    return assembly::material_stiffness(discrete.shell, coordinates, c, discrete.geometry(c));
+  algebra::Matrix matrix = assembly::sum_over_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
+    return assembly::material_stiffness(discrete, coordinates, c, discrete.geometry(c));
   });
+  coordinates.add_bed_stiffness(matrix);
+  matrix.finish();
+  return matrix;
 }
 
 algebra::Matrix geometric_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                  const assembly::NodalCoordinates& coordinates) {
-  return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
+  algebra::Matrix matrix = with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
     return stiffness_by_forces(discrete, prestress, coordinates, c, discrete.geometry(c));
   });
+  matrix.finish();
+  return matrix;
 }
 
 algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Prestress& prestress,
                                const assembly::NodalCoordinates& coordinates) {
-  return with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
-    const assembly::CellGeometry at = discrete.geometry(c);
-    constraints::NodeColumns k = assembly::material_stiffness(discrete.shell, coordinates, c, at);
+  algebra::Matrix matrix = with_curvature(discrete, prestress, coordinates, [&](std::size_t c) {
+    const energy::CellGeometry at = discrete.geometry(c);
+    constraints::NodeColumns k = assembly::material_stiffness(discrete, coordinates, c, at);
     k.matrix += stiffness_by_forces(discrete, prestress, coordinates, c, at).matrix;
     return k;
   });
+  coordinates.add_bed_stiffness(matrix);
+  matrix.finish();
+  return matrix;
 }
 
 void multiply_through_strains(const assembly::DiscreteShell& discrete, const algebra::Matrix& geometric,
@@ -184,14 +194,16 @@ void multiply_through_strains(const assembly::DiscreteShell& discrete, const alg
   algebra::Vector y(z.layout(), 6);
   discrete.coordinates.to_cartesian(z, y);
   y.update_ghosts();
-  algebra::Vector forces = forces_of_stresses(
+  algebra::Vector forces = assembly::forces_of_stresses(
       shell,
       [&](std::size_t c) {
         return shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y), discrete.geometry(c)));
       },
       [&](std::size_t c) { return discrete.geometry(c); });
+  add_forces_of_terms(discrete, y, forces);
   geometric.multiply(z, f);
   discrete.coordinates.add_transposed(forces, f);
+  discrete.coordinates.add_bed_forces(z, f);
 }
 
 void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,

@@ -13,12 +13,13 @@
 
 namespace plastron::finite {
 
-using assembly::CellStrain;
+using energy::CellStrain;
 
 /// Data that a step with mixed integration points takes from the step before.
 struct Prestress {
   std::vector<CellStrain> stresses{};  ///< N, M, Q times area at the quadrature points of owned cells
   algebra::Vector contact_forces{};    ///< forces and couples of obstacles on owned nodes (block 6)
+  algebra::Vector forces_of_terms{};   ///< derivative of the terms of the potential, likewise
   bool is_exact =
       false;  ///< compressive N, and M, act at the points of their own strains: the derivative of the residual
 };
@@ -35,7 +36,7 @@ Prestress prestress(const assembly::DiscreteShell& discrete, const solution::Nod
 /// Applies the geometric stiffness of stresses to (u, r) of a cell's nodes:
 /// int N^{ab} v_a . w_b + M^{ab} (v_a . t_b + w_a . s_b) + Q^a (v_a . t + w_a . s), tied like the strains; but where these are tied,
 /// compressive N, and M, are taken at fewer points, so that cells do not buckle in motions that the tied strains do not see.
-element::CellField geometric_forces(const assembly::ShellOperator& shell, const CellStrain& stresses,
+element::CellField geometric_forces(const energy::ShellOperator& shell, const CellStrain& stresses,
                                     const element::CellField& field);
 
 /// Returns the part of tangent_matrix() that the material causes, the linear stiffness where the shell is undeformed

@@ -52,6 +52,14 @@ inline Vector3d surface_normal(const Frame& f) {
   return n.dot(f.a3) < 0 ? Vector3d(-n) : n;
 }
 
+/// Returns b_ab = -(a_a . d_b a_3 + a_b . d_a a_3) / 2.
+inline Matrix2d curvature(const Frame& f) {
+  const auto part = [&](std::size_t a, std::size_t b) { return -f.a_cov[a].dot(f.da3[b]); };
+  Matrix2d b;
+  b << part(0, 0), (part(0, 1) + part(1, 0)) / 2, (part(0, 1) + part(1, 0)) / 2, part(1, 1);
+  return b;
+}
+
 /// The derivative of phi along a direction of the coordinates.
 inline Vector3d along(const Frame& f, const Vector2d& direction) {
   return direction[0] * f.a_cov[0] + direction[1] * f.a_cov[1];

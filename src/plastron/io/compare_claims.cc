@@ -13,10 +13,10 @@ namespace {
 
 /// Parts of results.json that follow from the solution. The others describe how and by which program it was found.
 constexpr std::array recomputed_parts{
-    "formulation",    "rotations",       "stability",       "energy",           "energy_parts", "load_work",
-    "loads",          "moment_point",    "reaction",        "support_reaction", "size",         "tangency",
-    "point_supports", "contact",         "obstacles",       "probes",           "certificate",  "stress",
-    "supports",       "corner_supports", "singular_places", "rigid_bodies",     "linearity"};
+    "formulation",  "rotations", "stability",        "energy", "energy_parts", "load_work",       "loads",
+    "moment_point", "reaction",  "support_reaction", "size",   "tangency",     "point_supports",  "contact",
+    "obstacles",    "probes",    "certificate",      "stress", "supports",     "corner_supports", "singular_places",
+    "rigid_bodies", "linearity", "foundations",      "springs"};
 /// Entries of these parts that describe how the solution was found, or need a factor of the matrix.
 constexpr std::array not_recomputed{"stress/error",
                                     "contact/admissible/rounds",

@@ -31,12 +31,12 @@ std::string number_text(double value) { return std::isfinite(value) ? fmt::forma
 
 }  // namespace
 
-std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
+std::string line_csv(const std::vector<recovery::PointValues>& points, const Ingredients& ingredients,
                      const problem::Output& given) {
   std::size_t layers = 0;
   for (const recovery::PointValues& p : points)
     if (p.laminate) layers = std::max(layers, p.laminate->layer_count());
-  const std::vector<Field> present = fields_of(has_obstacle, has_multiplier, given.heights, static_cast<int>(layers));
+  const std::vector<Field> present = fields_of(ingredients, given.heights, static_cast<int>(layers));
   std::string text = line_header(present, given.units);
   double length = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -55,12 +55,11 @@ std::vector<LineTable> line_tables(const computation::Solution& solution, const 
                                    const problem::Output& given) {
   int rank = 0;
   MPI_Comm_rank(solution.discrete->space().layout->comm, &rank);
-  const bool has_obstacle = !solution.discrete->obstacles.empty();
-  const bool has_multiplier = solution.discrete->tangency.formulation == element::Formulation::mixed;
+  const Ingredients ingredients = ingredients_of(*solution.discrete);
   std::vector<LineTable> tables;
   for (const problem::Line& line : lines) {
     const auto points = computation::values_at(solution, line.points, fmt::format("the line \"{}\"", line.name));
-    tables.push_back({line.name, rank == 0 ? line_csv(points, has_obstacle, has_multiplier, given) : std::string()});
+    tables.push_back({line.name, rank == 0 ? line_csv(points, ingredients, given) : std::string()});
   }
   return tables;
 }

@@ -2,6 +2,7 @@
 // (history.csv).
 #pragma once
 #include <plastron/computation/result.hpp>
+#include <plastron/io/fields.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/problem.hpp>
 
@@ -13,7 +14,7 @@ namespace plastron::io {
 /// Returns a header with names and units, then one row for each point: the length along the undeformed mid-surface from
 /// the first point, by chords, and every field, with the heights and names of units of `given`. Undefined values are
 /// empty.
-std::string line_csv(const std::vector<recovery::PointValues>& points, bool has_obstacle, bool has_multiplier,
+std::string line_csv(const std::vector<recovery::PointValues>& points, const Ingredients& ingredients,
                      const problem::Output& given = {});
 
 struct LineTable {

@@ -81,6 +81,10 @@ const std::vector<Field>& table() {
           "contact", {"contact"}, "-", "1",
           "1 in contact, 0 where free, between 0 and 1 next to the edge of a contact zone", 1,
           [](const PointValues& p) { return one(contact_between(p.touching)); }, Presence::with_obstacle),
+      field(
+          "foundation", {"foundation"}, "-K w", "N/m^2",
+          "force of foundations under areas on the shell, without that of shear layers", 3,
+          [](const PointValues& p) { return three(p.carried); }, Presence::with_foundation),
       field("N", {"N_11", "N_22", "N_12"}, "N^ab", "N/m", "membrane forces in the axes t1, t2", 3,
             [](const PointValues& p) { return three(p.N); }),
       field("M", {"M_11", "M_22", "M_12"}, "M^ab", "N", "bending moments (N m per m) in the axes t1, t2", 3,
@@ -201,15 +205,30 @@ void add_layer(std::size_t k, std::vector<Field>& fields) {
 
 std::span<const Field> fields() { return table(); }
 
-bool is_present(const Field& field, bool has_obstacle, bool has_multiplier) {
-  return field.presence == Presence::always || (field.presence == Presence::with_obstacle && has_obstacle) ||
-         (field.presence == Presence::with_multiplier && has_multiplier);
+Ingredients ingredients_of(const assembly::DiscreteShell& discrete) {
+  return {.obstacle = !discrete.obstacles.empty(),
+          .multiplier = discrete.tangency.formulation == element::Formulation::mixed,
+          .foundation =
+              std::ranges::any_of(discrete.foundations, [](const auto& own) { return own.first.is_under_area(); })};
 }
 
-std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights, int layers) {
+bool is_present(const Field& field, const Ingredients& ingredients) {
+  switch (field.presence) {
+    case Presence::with_obstacle:
+      return ingredients.obstacle;
+    case Presence::with_multiplier:
+      return ingredients.multiplier;
+    case Presence::with_foundation:
+      return ingredients.foundation;
+    default:
+      return true;
+  }
+}
+
+std::vector<Field> fields_of(const Ingredients& ingredients, std::span<const double> heights, int layers) {
   std::vector<Field> present;
   std::copy_if(table().begin(), table().end(), std::back_inserter(present),
-               [&](const Field& f) { return is_present(f, has_obstacle, has_multiplier); });
+               [&](const Field& f) { return is_present(f, ingredients); });
   for (const double height : heights) add_height(height, present);
   for (int k = 0; k < layers; ++k) add_layer(static_cast<std::size_t>(k), present);
   return present;

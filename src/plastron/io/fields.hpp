@@ -13,7 +13,15 @@
 namespace plastron::io {
 
 /// Computations in which a field has a meaning.
-enum class Presence { always, with_obstacle, with_multiplier };
+enum class Presence { always, with_obstacle, with_multiplier, with_foundation };
+
+/// What a computation has that gives a field its meaning.
+struct Ingredients {
+  bool obstacle = false;
+  bool multiplier = false;  ///< of the mixed formulation
+  bool foundation = false;  ///< under an area
+};
+Ingredients ingredients_of(const assembly::DiscreteShell& discrete);
 
 struct Field {
   std::string key;                  ///< path in a probe of results.json, steps separated by '/'
@@ -30,12 +38,11 @@ struct Field {
 
 std::span<const Field> fields();
 
-/// Whether a field has a meaning in a computation with or without obstacle and multiplier (mixed formulation).
-bool is_present(const Field& field, bool has_obstacle, bool has_multiplier);
+/// Whether a field has a meaning in a computation.
+bool is_present(const Field& field, const Ingredients& ingredients);
 /// Returns the fields with a meaning. `heights`: additional values of z / e for stresses, named "stress_at_0.25" and so
 /// on; probes do not have them. `layers`: the largest number of layers of a laminate; each has its own stresses, named
 /// "layer_1_lower" and so on, in the layer's axes. They are NaN where there is no such layer.
-std::vector<Field> fields_of(bool has_obstacle, bool has_multiplier, std::span<const double> heights = {},
-                             int layers = 0);
+std::vector<Field> fields_of(const Ingredients& ingredients, std::span<const double> heights = {}, int layers = 0);
 
 }  // namespace plastron::io

@@ -117,6 +117,21 @@ std::span<const Quantity<solution::BodyReaction>> rigid_body_quantities() {
   return all;
 }
 
+std::span<const Quantity<solution::FoundationReaction>> foundation_quantities() {
+  using solution::FoundationReaction;
+  static const std::vector<Quantity<FoundationReaction>> all{
+      {"name", "-", "name of the foundation or spring", [](const FoundationReaction& f) { return Json(f.name); },
+       Form::text},
+      {"reaction/force", "N", "its resultant force on the shell",
+       [](const FoundationReaction& f) { return triple(f.reaction.force); }, Form::triple},
+      {"reaction/moment", "N m", "its resultant moment on the shell about moment_point",
+       [](const FoundationReaction& f) { return triple(f.reaction.moment); }, Form::triple},
+      {"energy", "J", "its stored energy, a part of energy_parts/foundations",
+       [](const FoundationReaction& f) { return number(f.energy); }},
+  };
+  return all;
+}
+
 std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities() {
   using solution::ObstacleContact;
   static const std::vector<Quantity<ObstacleContact>> all{
@@ -128,6 +143,10 @@ std::span<const Quantity<solution::ObstacleContact>> obstacle_quantities() {
       {"area", "m^2", "mid-surface area within the boundaries of its contact zones",
        [](const ObstacleContact& o) { return number(o.area); }},
       {"nodes", "1", "touching nodes", [](const ObstacleContact& o) { return Json(o.nodes); }, Form::integer},
+      {"bed_energy", "J", "energy of its bed; 0 where it is rigid",
+       [](const ObstacleContact& o) { return number(o.bed_energy); }},
+      {"bed_closure", "m", "largest distance by which its bed gives",
+       [](const ObstacleContact& o) { return number(o.largest_closure); }},
       {"translation", "m", "translation since the start",
        [](const ObstacleContact& o) { return triple(o.translation); }, Form::triple},
       {"rotation", "rad", "rotation since the start: direction of the axis times the angle",

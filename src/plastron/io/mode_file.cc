@@ -25,7 +25,7 @@ ModeHeader header_of(const fem::Space& space) {
 }
 
 /// Returns the records of this rank's cells.
-std::string cells_text(const assembly::ShellOperator& shell, const algebra::Vector& shape) {
+std::string cells_text(const energy::ShellOperator& shell, const algebra::Vector& shape) {
   const fem::Space& space = shell.space();
   const std::vector<Eigen::Vector2d> xi = mesh::node_points(space.shape(), space.degree);
   std::vector<double> x(xi.size()), y(xi.size());
@@ -51,7 +51,7 @@ std::string cells_text(const assembly::ShellOperator& shell, const algebra::Vect
 
 std::vector<std::string> add_modes(const computation::Solution& solution, const std::filesystem::path& directory,
                                    AtomicFiles& files) {
-  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const energy::ShellOperator& shell = solution.discrete->shell;
   const ModeHeader header = header_of(shell.space());
   int rank = 0;
   MPI_Comm_rank(files.comm(), &rank);

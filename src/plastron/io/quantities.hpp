@@ -48,6 +48,8 @@ std::span<const Quantity<solution::CornerReaction>> corner_support_quantities();
 std::span<const Quantity<solution::PointReaction>> point_support_quantities();
 /// Paths inside "rigid_bodies[]".
 std::span<const Quantity<solution::BodyReaction>> rigid_body_quantities();
+/// Paths inside "foundations[]" and "springs[]".
+std::span<const Quantity<solution::FoundationReaction>> foundation_quantities();
 /// Paths inside "contact". Null as a whole without obstacle.
 std::span<const Quantity<computation::Result>> contact_quantities();
 /// Paths inside "contact.admissible". Null as a whole if the case requests no admissible solution.

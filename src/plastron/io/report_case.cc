@@ -121,6 +121,8 @@ std::string case_html(const Json& settings) {
       term("joined edges", each(at_path(settings, "join"), [](const Json& join) { return described(join); })) +
       term("rigid bodies", each(at_path(settings, "rigid_body"), [](const Json& body) { return described(body); })) +
       term("supports", each(at_path(settings, "support"), support_words)) +
+      term("foundations", each(at_path(settings, "foundation"), [](const Json& one) { return described(one); })) +
+      term("springs", each(at_path(settings, "spring"), [](const Json& one) { return described(one); })) +
       term("loads", each(at_path(settings, "load"), load_words)) +
       term("gravity", html_text(described(at_path(settings, "gravity")))) +
       term("obstacles", each(at_path(settings, "obstacle"), obstacle_words)) +

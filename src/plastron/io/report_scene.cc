@@ -94,7 +94,7 @@ PointRecords own_points(const computation::Solution& solution, const DrawnCells&
   if (space.owned_cells == 0) return records;
   const auto lattice = mesh::lattice(shape, drawn.subdivisions);
   const recovery::Recovery recovery(*solution.discrete, solution.nodal, lattice, solution.recovery);
-  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const energy::ShellOperator& shell = solution.discrete->shell;
   const element::BasisAt basis = element::basis_at(shape, space.degree, lattice);
   const int slots = static_cast<int>(points_in(shape, drawn.subdivisions));
   const std::vector<fem::CutCell> cuts = fem::cut_cells(*space.coarse);
@@ -158,8 +158,8 @@ std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
 
 }  // namespace
 
-std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier) {
-  auto fields = fields_of(has_obstacle, has_multiplier);
+std::vector<Field> report_fields(const Ingredients& ingredients) {
+  auto fields = fields_of(ingredients);
   std::erase_if(fields, [](const Field& field) {
     return field.key.starts_with("frame/t") || field.key.ends_with("_direction") || field.key.ends_with("_face");
   });
@@ -301,8 +301,8 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
   return list;
 }
 
-std::vector<Field> fields_of_frames(bool has_obstacle) {
-  std::vector<Field> fields = report_fields(has_obstacle, false);
+std::vector<Field> fields_of_frames(const Ingredients& ingredients) {
+  std::vector<Field> fields = report_fields(ingredients);
   std::erase_if(fields, [](const Field& field) { return field.key != "u" && field.key != "r" && field.key != "eta"; });
   return fields;
 }
@@ -314,7 +314,7 @@ void SceneFrames::add(const computation::HistoryEntry& entry, const computation:
   constexpr std::int64_t most_values = 1'500'000;  // 8 MB on the page
   if (seen_++ % every_ != 0) return;
   const assembly::DiscreteShell& discrete = *solution.discrete;
-  SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(!discrete.obstacles.empty()));
+  SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(ingredients_of(discrete)));
   std::vector<obstacle::Placement> places;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) places.push_back(discrete.obstacles.now(k).placement);
   frames_.push_back({entry.factors.time, entry.step, std::move(surface.drawing), std::move(surface.fields),
@@ -355,10 +355,8 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
                 const problem::UnitNames& units, const SceneFrames& frames, std::int64_t most_points) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
-  const SampledSurface surface = sampled_surface(
-      solution, most_points,
-      report_fields(!discrete.obstacles.empty(), discrete.tangency.formulation == element::Formulation::mixed),
-      solution.modes);
+  const SampledSurface surface =
+      sampled_surface(solution, most_points, report_fields(ingredients_of(discrete)), solution.modes);
   const obstacle::Extent extent = surroundings(solution);
   const Json supports = supports_json(discrete, solution.nodal);
   int rank = 0;

@@ -26,7 +26,7 @@ struct SampledSurface {
 };
 
 /// Returns the fields that colours can show: no tangents, no directions, no places except the mid-surface.
-std::vector<Field> report_fields(bool has_obstacle, bool has_multiplier);
+std::vector<Field> report_fields(const Ingredients& ingredients);
 
 /// Returns the surface with some fields, modes of the solution (the first ones, if they are too many for a page), and cells in an
 /// order that does not depend on the number of ranks (collective). Throws the errors of the chart at points between nodes, on all

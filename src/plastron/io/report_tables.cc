@@ -49,6 +49,9 @@ std::vector<Carrier> carriers(const Json& results) {
   } else {
     all.push_back({"supports", "support_reaction"});
   }
+  for (const std::string list : {"foundations", "springs"})
+    for (std::size_t k = 0; k < at_path(results, list).size(); ++k)
+      all.push_back({plain_words(at_path(results, list)[k]["name"]), fmt::format("{}/{}/reaction", list, k)});
   const Json& obstacles = at_path(results, "obstacles");
   for (std::size_t k = 0; k < obstacles.size(); ++k)
     all.push_back({plain_words(obstacles[k]["name"]), fmt::format("obstacles/{}/reaction", k)});

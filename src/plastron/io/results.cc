@@ -1,6 +1,7 @@
 #include <plastron/io/results.hpp>
 
 #include <plastron/fem/quadrilateral_sequence.hpp>
+#include <plastron/io/envelopes.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/results_schema.hpp>
 
@@ -8,12 +9,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace plastron::io {
 
 namespace {
 
-bool has_multiplier(const computation::Result& result) { return result.formulation == element::Formulation::mixed; }
+Ingredients ingredients_of(const computation::Result& result) {
+  if (result.solution && result.solution->discrete) return io::ingredients_of(*result.solution->discrete);
+  return {.obstacle = result.has_obstacle, .multiplier = result.formulation == element::Formulation::mixed};
+}
 
 Json probe_json(const recovery::PointValues& values, const computation::Result& result) {
   Json json = Json::object();
@@ -22,7 +27,7 @@ Json probe_json(const recovery::PointValues& values, const computation::Result& 
     Json value = Json::array();
     for (int c = 0; c < field.components; ++c) value.push_back(number(taken[static_cast<std::size_t>(c)]));
     if (field.components == 1) value = Json(value.front());
-    if (!is_present(field, result.has_obstacle, has_multiplier(result))) value = nullptr;
+    if (!is_present(field, ingredients_of(result))) value = nullptr;
     json[Json::json_pointer("/" + std::string(field.key))] = std::move(value);
   }
   return json;
@@ -150,7 +155,7 @@ Json verification_json(const Provenance& provenance) {
 Json fields_json(const computation::Result& result, const std::vector<double>& heights) {
   Json list = Json::array();
   const int layers = result.solution ? result.solution->discrete->shell.sections().most_layers() : 0;
-  for (const Field& f : fields_of(result.has_obstacle, has_multiplier(result), heights, layers))
+  for (const Field& f : fields_of(ingredients_of(result), heights, layers))
     list.push_back(
         {{"key", f.key}, {"arrays", f.arrays}, {"symbol", f.symbol}, {"unit", f.unit}, {"meaning", f.meaning}});
   for (const computation::Mode& mode : result.solution ? result.solution->modes : result.modes)
@@ -175,10 +180,23 @@ CaseSource case_source(const std::filesystem::path& case_file, std::string text,
   return source;
 }
 
+namespace {
+
+/// Returns the factors of names that have their own.
+Json factors_json(const computation::HistoryEntry& entry) {
+  Json json = Json::object();
+  for (std::size_t k = 0; k < entry.factors.named.size() && k < entry.factor_names.size(); ++k)
+    if (!std::isnan(entry.factors.named[k])) json[entry.factor_names[k]] = number(entry.factors.named[k]);
+  return json;
+}
+
+}  // namespace
+
 Json history_json(const computation::Result& result) {
   Json list = Json::array();
   for (const computation::HistoryEntry& entry : result.history) {
     list.push_back(record_json(history_quantities(), entry));
+    list.back()["factors"] = factors_json(entry);
     list.back()["obstacles"] = records_json(obstacle_quantities(), entry.summary.obstacles);
     list.back()["probes"] = probes_json(entry.probes, result);
     list.back()["estimates"] = records_json(goal_record_quantities(), entry.level.goals);
@@ -212,11 +230,20 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
   json["corner_supports"] = records_json(corner_support_quantities(), result.summary.corner_reactions);
   json["point_supports"] = records_json(point_support_quantities(), result.summary.point_reactions);
   json["rigid_bodies"] = records_json(rigid_body_quantities(), result.summary.body_reactions);
+  for (const bool are_springs : {false, true}) {
+    std::vector<solution::FoundationReaction> alike;
+    std::ranges::copy_if(result.summary.foundations, std::back_inserter(alike),
+                         [&](const auto& one) { return one.is_spring == are_springs; });
+    json[are_springs ? "springs" : "foundations"] = records_json(foundation_quantities(), alike);
+  }
   json["contact"] = contact_json(result);
   json["obstacles"] = Json::array();
   for (const auto& contact : result.summary.obstacles) json["obstacles"].push_back(obstacle_json(contact));
   json["probes"] = probes_json(result.probes, result);
   json["history"] = history_json(result);
+  json["envelopes"] = envelopes_json(json["history"], provenance.settings.is_object()
+                                                          ? provenance.settings.value("envelope", Json::array())
+                                                          : Json::array());
   json["estimates"] = estimates_json(result);
   json["certificate"] = record_json(certificate_quantities(), result.certificate);
   json["certificate_limits"] = limits_json(result);

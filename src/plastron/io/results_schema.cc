@@ -42,6 +42,8 @@ const std::vector<Part>& parts() {
       part("corner_supports/*/", "reaction at each corner where supported edges meet", corner_support_quantities()),
       part("point_supports/*/", "reaction at each supported point", point_support_quantities()),
       part("rigid_bodies/*/", "motion and reaction of each rigid body", rigid_body_quantities()),
+      part("foundations/*/", "reaction of each foundation", foundation_quantities()),
+      part("springs/*/", "reaction of each spring", foundation_quantities()),
       part("contact/", "contact with all obstacles; null without obstacle", contact_quantities()),
       part("contact/admissible/", "effect of lifted bounds; null unless contact.admissible = true",
            admissible_quantities()),
@@ -164,6 +166,14 @@ void add_others(Json& schema) {
                 {"unit", text()},
                 {"holds", {{"type", "boolean"}}},
                 {"reason", text()}}}}));
+  member(at_place(schema, "history/*/"), "factors") = {
+      {"description", "factors at this instant of names that have their own"},
+      {"type", "object"},
+      {"additionalProperties", {{"type", {"number", "null"}}}}};
+  add("envelopes", "least and largest value over load cases of each number in history, and the cases that have them",
+      list_of({{"type", "object"},
+               {"required", {"name", "cases", "numbers"}},
+               {"properties", {{"name", text()}, {"cases", list_of(text())}, {"numbers", map_to(Json::object())}}}}));
   add("settings", "the case with every default; see plastron schema", {{"type", {"object", "null"}}});
   add("versions", "versions of the program and its libraries", map_to(text()));
   add("files", "files beside results.json", list_of(text()));

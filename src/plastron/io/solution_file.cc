@@ -39,19 +39,20 @@ namespace {
 SolutionHeader header_of(const computation::Solution& solution) {
   const fem::Space& space = solution.discrete->space();
   const assembly::State& state = solution.discrete->state;
-  return {.corners = static_cast<std::uint32_t>(mesh::corner_count(space.shape())),
-          .degree = static_cast<std::uint32_t>(space.degree),
-          .obstacles = static_cast<std::uint32_t>(solution.discrete->obstacles.all.size()),
-          .has_multiplier = solution.nodal.lambda.layout() ? 1u : 0u,
-          .is_deformed = static_cast<std::uint16_t>(state.is_deformed()),
-          .has_lifts = static_cast<std::uint16_t>(state.is_admissible()),
-          .cells = space.global_cells,
-          .nodes = space.layout->global_size,
-          .time = state.factors.time,
-          .loads = state.factors.loads,
-          .supports = state.factors.supports,
-          .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size()),
-          .path_states = static_cast<std::int64_t>(solution.path.size())};
+  return {
+      .corners = static_cast<std::uint32_t>(mesh::corner_count(space.shape())),
+      .degree = static_cast<std::uint32_t>(space.degree),
+      .obstacles = static_cast<std::uint32_t>(solution.discrete->obstacles.all.size()),
+      .has_multiplier = solution.nodal.lambda.layout() ? 1u : 0u,
+      .is_deformed = static_cast<std::uint16_t>(state.is_deformed()),
+      .has_lifts = static_cast<std::uint16_t>(state.is_admissible()),
+      .cells = space.global_cells,
+      .nodes = space.layout->global_size,
+      .time = state.factors.time,
+      .loads = state.control ? energy::Factors(state.factors).controlled(state.control->factor) : state.factors.loads,
+      .supports = state.factors.supports,
+      .cut_numbers = static_cast<std::int64_t>(flat_cuts(space.coarse->cuts).size()),
+      .path_states = static_cast<std::int64_t>(solution.path.size())};
 }
 
 /// Returns the first values of each node, or these and zeros.

@@ -34,7 +34,7 @@ struct SolutionHeader {
   std::uint16_t has_lifts = 0;  ///< bounds of gaps are lifted: the shell is outside obstacles also between its nodes
   std::int64_t cells = 0;
   std::int64_t nodes = 0;
-  double time = 0, loads = 1, supports = 1;  ///< see assembly::Factors
+  double time = 0, loads = 1, supports = 1;  ///< see energy::Factors
   std::int64_t cut_numbers = 0;              ///< length of the list of cuts, see flat_cuts
   std::int64_t path_states = 0;              ///< states on the path from the start that the proof of the path needs
 

@@ -54,7 +54,7 @@ void add_point(const recovery::PointValues& point, const std::vector<Field>& pre
 
 /// Adds the displacements of modes, one array for each.
 void add_modes(const computation::Solution& solution, const std::vector<Eigen::Vector2d>& xi, GridPiece& piece) {
-  const assembly::ShellOperator& shell = solution.discrete->shell;
+  const energy::ShellOperator& shell = solution.discrete->shell;
   const fem::Space& space = shell.space();
   const element::BasisAt basis = element::basis_at(space.shape(), space.degree, xi);
   for (const computation::Mode& mode : solution.modes) {
@@ -77,9 +77,8 @@ GridPiece surface_piece(const computation::Solution& solution, const VtuChoice& 
       .type = space.shape() == mesh::Shape::triangle ? CellType::lagrange_triangle : CellType::lagrange_quadrilateral,
       .points_per_cell = xi.size()};
   if (space.owned_cells == 0) return piece;
-  const auto present = fields_of(!solution.discrete->obstacles.empty(),
-                                 solution.discrete->tangency.formulation == element::Formulation::mixed, choice.heights,
-                                 solution.discrete->shell.sections().most_layers());
+  const auto present =
+      fields_of(ingredients_of(*solution.discrete), choice.heights, solution.discrete->shell.sections().most_layers());
   piece.point_arrays = arrays_of(present, choice.units);
   if (solution.cell_errors.size() == space.owned_cells)
     piece.cell_arrays.push_back(

@@ -81,7 +81,7 @@ struct Pieces {
 
 const std::string& region_name(const std::vector<std::string>& names, int region) { return names[region]; }
 
-const geometry::Expression& thickness_of(const assembly::CrossSections& sections, const std::string& region) {
+const geometry::Expression& thickness_of(const energy::CrossSections& sections, const std::string& region) {
   const auto own = sections.regions.find(region);
   return own == sections.regions.end() ? sections.common.thickness : own->second.thickness;
 }

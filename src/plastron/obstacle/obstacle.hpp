@@ -36,6 +36,10 @@ struct Obstacle {
   /// Force that presses the obstacle along its direction; other directions are fixed [N].
   Vector3d force = Vector3d::Zero();
 
+  /// Stiffness of a bed on its surface (M33): the surface gives by s >= 0 with the pressure bed s; 0: it is rigid [N/m^3].
+  double bed = 0;
+
+  bool has_bed() const { return bed > 0; }
   /// Whether its gap is linear in the displacements; then no further linearisation is necessary.
   bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
   /// Whether smooth faces of the shell can lie on sharp edges or corners of its surface.

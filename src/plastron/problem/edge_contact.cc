@@ -89,7 +89,7 @@ void put_both_faces(Problem& problem, std::size_t k) {
 void let_both_faces_touch(Problem& problem) {
   const auto& all = problem.shell.obstacles.all;
   const auto may_change = [](const obstacle::Obstacle& body) {
-    return body.face == obstacle::Face::nearer && !body.is_pressed() && !body.is_searched();
+    return body.face == obstacle::Face::nearer && !body.is_pressed() && !body.is_searched() && !body.has_bed();
   };
   if (!std::ranges::any_of(all, may_change)) return;
   const std::vector<SeenPoint> points = seen_points(problem);

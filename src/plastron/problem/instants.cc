@@ -9,12 +9,15 @@ namespace {
 
 double between(double from, double to, double part) { return part == 1 ? to : from + part * (to - from); }
 
-assembly::Factors between(const assembly::Factors& from, const assembly::Factors& to, double part) {
-  assembly::Factors now{.time = between(from.time, to.time, part),
-                        .loads = between(from.loads, to.loads, part),
-                        .supports = between(from.supports, to.supports, part)};
+energy::Factors between(const energy::Factors& from, const energy::Factors& to, double part) {
+  energy::Factors now{.time = between(from.time, to.time, part),
+                      .loads = between(from.loads, to.loads, part),
+                      .supports = between(from.supports, to.supports, part)};
   for (std::size_t k = 0; k < std::max(from.forces.size(), to.forces.size()); ++k)
     now.forces.push_back(between(from.force(k), to.force(k), part));
+  for (std::size_t k = 0; k < to.named.size(); ++k)
+    now.named.push_back(between(from.named.empty() ? 0 : from.named[k], to.named[k], part));
+  now.released = to.released;
   return now;
 }
 
@@ -66,7 +69,8 @@ std::optional<assembly::Control> control_of(const Problem& problem, const Instan
   if (probe == problem.probes.end()) throw std::logic_error("the probe of a control was not checked");
   return assembly::Control{.at = probe->at,
                            .direction = instant.control->direction,
-                           .displacement = between(start, instant.control->to, instant.part)};
+                           .displacement = between(start, instant.control->to, instant.part),
+                           .factor = instant.control->factor};
 }
 
 }  // namespace plastron::problem

@@ -9,7 +9,7 @@ namespace plastron::problem {
 
 struct Instant {
   int step = 0;  ///< counted from 0
-  assembly::Factors factors = assembly::Factors();
+  energy::Factors factors = energy::Factors();
   const Control* control = nullptr;  ///< if given, the factor of the loads follows from it
   double part = 1;                   ///< completed part of the step
   bool chooses_parts = false;        ///< the way to it from the instant before goes in parts that are chosen

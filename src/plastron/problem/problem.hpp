@@ -1,9 +1,9 @@
 // Plain values that define a computation: geometry, shell, supports, loads, obstacle, discretisation.
 #pragma once
 #include <plastron/assembly/description.hpp>
-#include <plastron/assembly/factors.hpp>
 #include <plastron/contact/settings.hpp>
 #include <plastron/domain/domain.hpp>
+#include <plastron/energy/factors.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/fem/shape_field.hpp>
 #include <plastron/geometry/chart.hpp>
@@ -73,16 +73,18 @@ struct Control {
   std::string probe{};
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector
   double to = 0;                                         ///< value at the step's end [m]
+  std::string load{};                                    ///< name of the loads that follow; empty: all without a factor
+  int factor = -1;                                       ///< its place in Problem::factor_names
 };
 
 /// A step. Loads, prescribed components, forces on obstacles and their motions change from their values after the previous step to the values
 /// at its end.
 struct Step {
   std::string name{};
-  assembly::Factors factors = assembly::Factors();  ///< at the step's end; the time has no meaning
-  std::optional<Control> control{};                 ///< if given, the factor of the loads has no meaning
-  int parts = 1;                                    ///< number of equal parts; each is solved
-  bool chooses_parts = false;                       ///< parts are chosen by how the iteration goes (step_control.hpp)
+  energy::Factors factors = energy::Factors();  ///< at the step's end; the time has no meaning
+  std::optional<Control> control{};             ///< if given, the factor of the loads has no meaning
+  int parts = 1;                                ///< number of equal parts; each is solved
+  bool chooses_parts = false;                   ///< parts are chosen by how the iteration goes (step_control.hpp)
   static constexpr double longest_chosen_part = 0.25;
 };
 
@@ -121,7 +123,9 @@ struct Problem {
   std::map<std::string, geometry::Chart> charts;  ///< charts by region; the unnamed region is ""
   std::vector<Imperfection> imperfections{};      ///< besides those that are part of the charts
   assembly::ShellDescription shell{};             ///< sections, formulation, supports, loads and obstacles
-  std::vector<Step> steps{};  ///< obstacles have a motion for each, or none; without steps nothing moves
+  std::vector<std::string> factor_names{};  ///< names of loads, supports and temperatures, see energy::Factors::named
+  std::vector<Step> steps{};                ///< obstacles have a motion for each, or none; without steps nothing moves
+  bool steps_are_cases = false;             ///< each step is a load case, which starts from the undeformed shell
   std::vector<Probe> probes{};
   std::vector<Line> lines{};
   Discretisation discretisation{};

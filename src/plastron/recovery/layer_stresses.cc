@@ -61,7 +61,7 @@ class LayerSearch {
     const Recovery recovery(discrete, solution, mesh::lattice(space.shape(), space.degree), choice);
     for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
       const auto region =
-          std::ranges::find(regions_, assembly::region_of(*space.coarse, space.cells[cell]), &RegionLayers::name);
+          std::ranges::find(regions_, energy::region_of(*space.coarse, space.cells[cell]), &RegionLayers::name);
       if (region == regions_.end()) continue;
       for (const PointValues& point : recovery(cell))
         if (!is_singular(point.phi, singular_)) look_at(point, region->first);

@@ -55,14 +55,25 @@ class ContinuedResultants {
   ResultantRows values_;
 };
 
+/// Returns b_11, b_22, 2 b_12 in orthonormal axes.
+Vector3d curvature_along(const geometry::Frame& frame, const SurfaceAxes& axes) {
+  Eigen::Matrix2d change;
+  for (int a = 0; a < 2; ++a) {
+    const Vector3d& dual = frame.a_con[static_cast<std::size_t>(a)];
+    change.row(a) << dual.dot(axes.t1), dual.dot(axes.t2);
+  }
+  const Eigen::Matrix2d b = change.transpose() * geometry::curvature(frame) * change;
+  return {b(0, 0), b(1, 1), 2 * b(0, 1)};
+}
+
 }  // namespace
 
-void set_law(const assembly::DiscreteShell& discrete, const assembly::CrossSection& section, PointValues& point) {
+void set_law(const energy::CrossSection& section, PointValues& point) {
   point.material = section.material;
   if (const auto laminate = section.material.laminate())
-    point.laminate = std::make_shared<shell::LaminateSection>(laminate, shell::orthonormal_frame(point.t1, point.t2),
-                                                              point.thickness, section.material.shear_correction,
-                                                              discrete.state.factors.loads);
+    point.laminate =
+        std::make_shared<shell::LaminateSection>(laminate, shell::orthonormal_frame(point.t1, point.t2),
+                                                 point.thickness, section.material.shear_correction, point.initial);
 }
 
 Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution& solution,
@@ -79,7 +90,7 @@ Recovery::Recovery(const assembly::DiscreteShell& discrete, const NodalSolution&
 }
 
 std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
-  const assembly::ShellOperator& shell = discrete_.shell;
+  const energy::ShellOperator& shell = discrete_.shell;
   const fem::Cell& where = shell.space().cells[cell];
   const auto count = at_points_.xi.size();
   std::vector<geometry::Frame> frames(count);
@@ -87,8 +98,9 @@ std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
   shell.surface().frames(where, at_points_.xi, frames);
   const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, at_points_.xi, frames);
   shell.surface().positions(where, at_points_.xi, x, y);
-  const assembly::CrossSection& section = shell.section(cell);
+  const energy::CrossSection& section = shell.section(cell);
   shell.surface().evaluate(section.thickness, where, at_points_.xi, e);
+  const auto initial = shell.initial_states(cell, at_points_.xi, discrete_.state.factors);
   std::vector<PointValues> points(count);
   for (std::size_t p = 0; p < count; ++p) {
     const geometry::Frame& frame = frames[p];
@@ -101,14 +113,16 @@ std::vector<PointValues> Recovery::geometry_at_points(std::size_t cell) const {
     points[p].a3 = frame.a3;
     points[p].curvatures = {curvatures[0], curvatures[1]};
     points[p].thickness = e[p];
-    set_law(discrete_, section, points[p]);
+    points[p].initial = initial[p];
+    points[p].initial.curvature = curvature_along(frame, axes);
+    set_law(section, points[p]);
   }
   return points;
 }
 
 void Recovery::add_nodal_values(std::size_t cell, const element::CellField& field,
                                 std::vector<PointValues>& points) const {
-  const assembly::ShellOperator& shell = discrete_.shell;
+  const energy::ShellOperator& shell = discrete_.shell;
   const auto nodes = shell.space().nodes(cell);
   Eigen::Matrix<double, Eigen::Dynamic, 6> contact(static_cast<Eigen::Index>(nodes.size()), 6);
   Eigen::VectorXd lambda(static_cast<Eigen::Index>(nodes.size()));
@@ -119,6 +133,11 @@ void Recovery::add_nodal_values(std::size_t cell, const element::CellField& fiel
   }
   const element::CellField values = shell.interpolation().values(cell, at_points_, field);
   const element::CellField moved = discrete_.state_values(cell, at_points_);
+  for (const auto& [foundation, term] : discrete_.foundations) {
+    if (!term || !foundation.is_under_area()) continue;
+    const std::vector<Vector3d> own = tractions(shell, foundation, cell, at_points_.xi, values);
+    for (std::size_t p = 0; p < points.size(); ++p) points[p].carried += own[p];
+  }
   const Eigen::Matrix<double, Eigen::Dynamic, 6> contact_values = reaction_at_points_ * contact;
   const Eigen::VectorXd lambda_values = at_points_.value * lambda;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -147,7 +166,11 @@ void Recovery::add_resultants(std::size_t cell, const element::CellField& field,
       if (!of_cell) of_cell.emplace(resultant_points_(cell, field), continuation_);
       values = of_cell->at(p, axes);
     }
-    if (point.laminate) *values -= point.laminate->section().initial_resultants().transpose();
+    if (point.laminate || point.initial.is_heated())
+      *values -= shell::section_at(point.material, shell::orthonormal_frame(point.t1, point.t2), point.thickness,
+                                   point.initial)
+                     .initial_resultants()
+                     .transpose();
     point.N = values->segment<3>(0);
     point.M = values->segment<3>(3);
     point.Q = values->segment<2>(6);

@@ -16,18 +16,20 @@ struct PointValues {
   Vector3d t1 = Vector3d::Zero(), t2 = Vector3d::Zero(), a3 = Vector3d::Zero();  ///< orthonormal frame
   /// Principal curvatures, ascending [1/m].
   Eigen::Vector2d curvatures = Eigen::Vector2d::Zero();
-  double thickness = 0;           ///< e [m]
-  Vector3d u = Vector3d::Zero();  ///< displacement [m]
-  Vector3d r = Vector3d::Zero();  ///< rotation of the normal [rad]
-  double gap = 0;                 ///< smallest gap of the touching face to an obstacle [m]; NaN without obstacles
-  double pressure = 0;            ///< eta, the sum of all obstacles [Pa]
-  double lambda = 0;              ///< multiplier of (M14) [N m]
-  double touching = 0;            ///< 1 in contact, 0 free; between 0 and 1 next to the zone's edge
+  double thickness = 0;                 ///< e [m]
+  Vector3d u = Vector3d::Zero();        ///< displacement [m]
+  Vector3d r = Vector3d::Zero();        ///< rotation of the normal [rad]
+  double gap = 0;                       ///< smallest gap of the touching face to an obstacle [m]; NaN without obstacles
+  double pressure = 0;                  ///< eta, the sum of all obstacles [Pa]
+  Vector3d carried = Vector3d::Zero();  ///< force of foundations under areas, without shear layers [N/m^2]
+  double lambda = 0;                    ///< multiplier of (M14) [N m]
+  double touching = 0;                  ///< 1 in contact, 0 free; between 0 and 1 next to the zone's edge
   Eigen::Vector2d face_pressure = Eigen::Vector2d::Zero();   ///< eta on the lower and on the upper face [Pa]
   Eigen::Vector2d face_touching = Eigen::Vector2d::Zero();   ///< `touching` of the lower and of the upper face
   Vector3d N = Vector3d::Zero();                             ///< N_11, N_22, N_12 [N/m]
   Vector3d M = Vector3d::Zero();                             ///< M_11, M_22, M_12 [N]
   Eigen::Vector2d Q = Eigen::Vector2d::Zero();               ///< Q_1, Q_2 [N/m]
+  shell::InitialState initial{};                             ///< what strains the section without stress
   shell::Material material{};                                ///< material of the point's region
   std::shared_ptr<const shell::LaminateSection> laminate{};  ///< the laminate in these axes; null if homogeneous
 };
@@ -35,14 +37,15 @@ struct PointValues {
 /// Returns references to all numbers of a point: all its members but the law of the cross-section.
 template <class Point>
 auto numbers_of(Point& point) {
-  auto& [x, phi, t1, t2, a3, curvatures, thickness, u, r, gap, pressure, lambda, touching, face_pressure, face_touching,
-         N, M, Q, material, laminate] = point;
-  return std::tie(x, phi, t1, t2, a3, curvatures, thickness, u, r, gap, pressure, lambda, touching, face_pressure,
-                  face_touching, N, M, Q);
+  auto& [x, phi, t1, t2, a3, curvatures, thickness, u, r, gap, pressure, carried, lambda, touching, face_pressure,
+         face_touching, N, M, Q, initial, material, laminate] = point;
+  return std::tie(x, phi, t1, t2, a3, curvatures, thickness, u, r, gap, pressure, carried, lambda, touching,
+                  face_pressure, face_touching, N, M, Q, initial.strains, initial.temperature, initial.difference,
+                  initial.curvature);
 }
 
-/// Sets the law of the cross-section of a point whose axes and thickness are known.
-void set_law(const assembly::DiscreteShell& discrete, const assembly::CrossSection& section, PointValues& point);
+/// Sets the law of the cross-section of a point whose axes, thickness and initial state are known.
+void set_law(const energy::CrossSection& section, PointValues& point);
 
 /// The forces N, M, Q and the cross-section, which determine the stresses.
 inline shell::SectionForces section_forces(const PointValues& point) {

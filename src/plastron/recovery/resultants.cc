@@ -62,14 +62,14 @@ ResultantPoints::ResultantPoints(const assembly::DiscreteShell& discrete, assemb
 }
 
 CellResultants ResultantPoints::operator()(std::size_t cell, const element::CellField& field) const {
-  const assembly::ShellOperator& shell = discrete_.shell;
+  const energy::ShellOperator& shell = discrete_.shell;
   const fem::Cell& where = shell.space().cells[cell];
   const auto count = basis_.xi.size();
   std::vector<geometry::Frame> frames(count);
   std::vector<double> e(count);
   shell.surface().frames(where, basis_.xi, frames);
   const std::vector<Vector3d> tangents = shell.surface().first_tangents(where, basis_.xi, frames);
-  const assembly::CrossSection& section = shell.section(cell);
+  const energy::CrossSection& section = shell.section(cell);
   shell.surface().evaluate(section.thickness, where, basis_.xi, e);
   const auto state = discrete_.linearised_at(kind_, cell, field);
   const auto strains = shell.strains_at(cell, field, basis_, tied_, frames, state ? &*state : nullptr);

@@ -37,30 +37,20 @@ struct SideEnd {
   double thickness = 0;
 };
 
-/// Sums of d d' over the directions in which a boundary's supports fix u and r at a point with these axes.
+/// Sums of d d' over the directions in which a boundary's supports fix u and r at a place with these axes.
 std::array<Eigen::Matrix3d, 2> held_directions(const assembly::DiscreteShell& discrete, const std::string& boundary,
-                                               const Vector3d& tangent, const Vector3d& a3) {
+                                               const geometry::Place& place, const Vector3d& tangent,
+                                               const Vector3d& a3) {
   std::array<Eigen::Matrix3d, 2> sums{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero()};
-  const auto vector = [&](assembly::Direction direction) -> Vector3d {
-    switch (direction) {
-      case assembly::Direction::x:
-        return Vector3d::UnitX();
-      case assembly::Direction::y:
-        return Vector3d::UnitY();
-      case assembly::Direction::z:
-        return Vector3d::UnitZ();
-      case assembly::Direction::normal:
-        return a3;
-      case assembly::Direction::tangent:
-        return tangent;
-      default:
-        return tangent.cross(a3);
-    }
+  const auto vector = [&](const assembly::Support& support, assembly::Direction direction) -> Vector3d {
+    if (const auto in_space = direction_at(support, direction, place)) return *in_space;
+    if (direction == assembly::Direction::normal) return a3;
+    return direction == assembly::Direction::tangent ? tangent : tangent.cross(a3);
   };
   for (const assembly::Support& support : discrete.supports)
     if (!support.point && support.boundary == boundary)
       for (const assembly::PrescribedComponent& c : support.components) {
-        const Vector3d d = vector(c.direction);
+        const Vector3d d = vector(support, c.direction);
         sums[c.unknown == assembly::Unknown::displacement ? 0 : 1] += d * d.transpose();
       }
   return sums;
@@ -97,6 +87,7 @@ void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& 
                 .thickness = discrete.points[node].thickness};
     if (side.boundary >= 0) {
       const auto held = held_directions(discrete, space.coarse->boundaries[static_cast<std::size_t>(side.boundary)],
+                                        {end.at[0], end.at[1], end.position[0], end.position[1], end.position[2]},
                                         end.tangent, end.a3);
       const Vector3d n = end.tangent.cross(end.a3);
       end.holds = {held_in_plane(held[0], end.tangent, n), held_in_plane(held[1], end.tangent, n),

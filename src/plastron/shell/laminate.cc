@@ -59,6 +59,35 @@ Section unit_section(const std::vector<Layer>& layers, const std::vector<double>
   return s;
 }
 
+std::array<Vector3d, 3> stress_per_kelvin(const std::vector<Layer>& layers, const std::vector<double>& z) {
+  std::array<Vector3d, 3> all{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const Orthotropic& material = layers[k].material;
+    const Vector3d stress =
+        strain_map(turned(layers[k].angle)).transpose() * (material.in_plane() * material.expansion());
+    const double height = z[k + 1] - z[k], middle = (z[k] + z[k + 1]) / 2;
+    all[0] += height * stress;
+    all[1] += height * middle * stress;
+    all[2] += height * (middle * middle + height * height / 12) * stress;
+  }
+  return all;
+}
+
+/// Returns int C (alpha b) z^k dz, k = 1, 2, over the thickness 1, `curvature` b in the laminate's axes.
+std::array<Vector3d, 2> stress_by_curvature(const std::vector<Layer>& layers, const std::vector<double>& z,
+                                            const Vector3d& curvature) {
+  std::array<Vector3d, 2> both{Vector3d::Zero(), Vector3d::Zero()};
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const Matrix3d map = strain_map(turned(layers[k].angle));
+    const Orthotropic& material = layers[k].material;
+    const Vector3d stress = map.transpose() * (material.in_plane() * material.bent_expansion(map * curvature));
+    const double height = z[k + 1] - z[k], middle = (z[k] + z[k + 1]) / 2;
+    both[0] += height * middle * stress;
+    both[1] += height * (middle * middle + height * height / 12) * stress;
+  }
+  return both;
+}
+
 template <class Value>
 double mean_over(const std::vector<Layer>& layers, const Value& value) {
   double sum = 0, parts = 0;
@@ -157,9 +186,14 @@ Laminate::Laminate(std::vector<Layer> layers, const Vector3d& direction)
       interfaces_(interfaces_of(layers_)),
       direction_(direction.normalized()),
       unit_(unit_section(layers_, interfaces_)),
+      stress_per_kelvin_(stress_per_kelvin(layers_, interfaces_)),
       transverse_shear_(layers_, interfaces_, unit_.in_plane()) {
   constexpr double homogeneous = 5.0 / 6;  // energy of the parabola against that of its mean
   unit_.shear = transverse_shear_.stiffness() / homogeneous;
+}
+
+bool Laminate::expands() const {
+  return std::ranges::any_of(layers_, [](const Layer& layer) { return !layer.material.expansion().isZero(0); });
 }
 
 double Laminate::young() const {
@@ -213,32 +247,44 @@ Matrix2d Laminate::axes(const geometry::Frame& frame) const {
   return axes;
 }
 
-Section Laminate::section(const Matrix2d& axes, double thickness, double shear_correction) const {
-  const double e = thickness;
+Section Laminate::section(const Matrix2d& axes, double thickness, double shear_correction,
+                          const InitialState& initial) const {
+  const double e = thickness, mean = initial.temperature, difference = initial.difference;
   const Matrix3d map = strain_map(axes);
+  const auto& heat = stress_per_kelvin_;
+  Vector3d force = initial.strains * unit_.initial_force + mean * heat[0] + difference * heat[1],
+           moment = initial.strains * unit_.initial_moment + mean * heat[1] + difference * heat[2];
+  if (mean != 0 && !initial.curvature.isZero(0)) {
+    const std::array<Vector3d, 2> bent = stress_by_curvature(layers_, interfaces_, mean * map * initial.curvature);
+    force -= e * bent[0];
+    moment -= e * bent[1];
+  }
   return {.membrane = e * (map.transpose() * unit_.membrane * map),
           .bending = e * e * e * (map.transpose() * unit_.bending * map),
           .shear = shear_correction * e * (axes.transpose() * unit_.shear * axes),
           .coupling = e * e * (map.transpose() * unit_.coupling * map),
-          .initial_force = e * (map.transpose() * unit_.initial_force),
-          .initial_moment = e * e * (map.transpose() * unit_.initial_moment)};
+          .initial_force = e * (map.transpose() * force),
+          .initial_moment = e * e * (map.transpose() * moment)};
 }
 
 LaminateSection::LaminateSection(std::shared_ptr<const Laminate> laminate, const geometry::Frame& axes,
-                                 double thickness, double shear_correction, double load_factor)
+                                 double thickness, double shear_correction, const InitialState& initial)
     : laminate_(std::move(laminate)),
       thickness_(thickness),
       axes_(laminate_->axes(axes)),
-      section_(laminate_->section(axes_, thickness, shear_correction)),
+      section_(laminate_->section(axes_, thickness, shear_correction, initial)),
       compliance_(section_.in_plane().llt().solve(Eigen::Matrix<double, 6, 6>::Identity())) {
-  section_.initial_force *= load_factor;
-  section_.initial_moment *= load_factor;
   for (const Layer& layer : laminate_->layers()) {
     const Matrix2d own = turned(layer.angle) * axes_;
     const Matrix3d map = strain_map(own), c = layer.material.in_plane();
-    plies_.push_back({.stiffness = map.transpose() * c * map,
-                      .initial_stress = load_factor * (map.transpose() * (c * layer.strain)),
-                      .axes = own});
+    plies_.push_back(
+        {.stiffness = map.transpose() * c * map,
+         .initial_stress = map.transpose() *
+                           (c * (initial.strains * layer.strain + initial.temperature * layer.material.expansion())),
+         .initial_slope =
+             map.transpose() * (c * (initial.difference / thickness * layer.material.expansion() -
+                                     initial.temperature * layer.material.bent_expansion(map * initial.curvature))),
+         .axes = own});
   }
 }
 
@@ -255,7 +301,8 @@ StressMap LaminateSection::stress(std::size_t layer, double z) const {
   s.map.topLeftCorner<3, 6>() = ply.stiffness * (compliance_.topRows<3>() + z * compliance_.bottomRows<3>());
   s.map.bottomRightCorner<2, 2>() =
       axes_.transpose() * laminate_->transverse_shear().stress(layer, z / thickness_) * axes_ / thickness_;
-  s.constant.head<3>() = s.map.topLeftCorner<3, 6>() * section_.initial_resultants().head<6>() - ply.initial_stress;
+  s.constant.head<3>() = s.map.topLeftCorner<3, 6>() * section_.initial_resultants().head<6>() - ply.initial_stress -
+                         z * ply.initial_slope;
   return s;
 }
 

@@ -7,6 +7,7 @@
 #include <plastron/shell/section.hpp>
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -14,13 +15,20 @@ namespace plastron::shell {
 
 /// Elastic constants of a layer in its own axes 1, 2 and the normal 3, for plane stress [Pa].
 struct Orthotropic {
-  double E1 = 0, E2 = 0;             ///< Young's moduli
-  double nu12 = 0;                   ///< contraction along 2 by a stress along 1; nu21 = nu12 E2 / E1
-  double G12 = 0, G13 = 0, G23 = 0;  ///< shear moduli
+  double E1 = 0, E2 = 0;                  ///< Young's moduli
+  double nu12 = 0;                        ///< contraction along 2 by a stress along 1; nu21 = nu12 E2 / E1
+  double G12 = 0, G13 = 0, G23 = 0;       ///< shear moduli
+  double expansion1 = 0, expansion2 = 0;  ///< strains per temperature [1/K]
 
-  static Orthotropic isotropic(double E, double nu) {
+  static Orthotropic isotropic(double E, double nu, double expansion = 0) {
     const double G = E / (2 * (1 + nu));
-    return {E, E, nu, G, G, G};
+    return {E, E, nu, G, G, G, expansion, expansion};
+  }
+  /// Returns eps_1, eps_2, 2 eps_12 for each kelvin.
+  Vector3d expansion() const { return {expansion1, expansion2, 0}; }
+  /// Returns the symmetric part of the product of the expansion and a curvature, b_1, b_2, 2 b_12 in the layer's axes.
+  Vector3d bent_expansion(const Vector3d& curvature) const {
+    return {expansion1 * curvature[0], expansion2 * curvature[1], (expansion1 + expansion2) / 2 * curvature[2]};
   }
   /// Returns whether every strain costs energy: positive moduli, and nu12^2 < E1 / E2.
   bool is_positive_definite() const;
@@ -87,6 +95,8 @@ class Laminate {
   /// Returns the mean of G13 and G23 of all layers [Pa].
   double shear_modulus() const;
   bool has_initial_strains() const { return unit_.has_initial_strains(); }
+  /// Whether temperatures strain some layer.
+  bool expands() const;
   const TransverseShear& transverse_shear() const { return transverse_shear_; }
   /// Returns the length over which stiff faces on soft layers bend each on its own, as a part of the thickness; 0 without soft
   /// layers. One director describes the section only where strains change over much longer distances.
@@ -98,24 +108,27 @@ class Laminate {
   Eigen::Matrix2d axes(const geometry::Frame& frame) const;
   /// Returns the cross-section in the components of `axes`. `shear_correction`: 5/6 for the shear stiffness from
   /// equilibrium, as in a homogeneous section.
-  Section section(const Eigen::Matrix2d& axes, double thickness, double shear_correction) const;
+  Section section(const Eigen::Matrix2d& axes, double thickness, double shear_correction,
+                  const InitialState& initial) const;
 
  private:
   std::vector<Layer> layers_;
   std::vector<double> interfaces_;
   Vector3d direction_;
   Section unit_;  // thickness 1, shear correction 1, in the laminate's axes
+  /// int C alpha z^k dz over the thickness 1, in the laminate's axes: the stresses of a temperature z^(k - 1).
+  std::array<Vector3d, 3> stress_per_kelvin_;
   TransverseShear transverse_shear_;
 };
 
 /// A laminate at a point, in orthonormal axes, with what its stresses need.
 class LaminateSection {
  public:
-  /// `axes`: an orthonormal_frame(). `load_factor` multiplies the initial strains.
+  /// `axes`: an orthonormal_frame().
   LaminateSection(std::shared_ptr<const Laminate> laminate, const geometry::Frame& axes, double thickness,
-                  double shear_correction, double load_factor);
+                  double shear_correction, const InitialState& initial);
 
-  /// Returns the stiffness, with N_0 and M_0 times the load factor.
+  /// Returns the stiffness, with N_0 and M_0.
   const Section& section() const { return section_; }
   std::size_t layer_count() const { return plies_.size(); }
   /// Returns the height of the interface below layer k [m].
@@ -131,8 +144,9 @@ class LaminateSection {
  private:
   struct Ply {
     Eigen::Matrix3d stiffness;
-    Vector3d initial_stress;
-    Eigen::Matrix2d axes;  // the layer's axes in the section's axes
+    Vector3d initial_stress;  // at z = 0
+    Vector3d initial_slope;   // its derivative by z
+    Eigen::Matrix2d axes;     // the layer's axes in the section's axes
   };
 
   std::shared_ptr<const Laminate> laminate_;

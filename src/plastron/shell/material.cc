@@ -15,16 +15,25 @@ Eigen::Matrix3d elasticity(const Isotropic& material, const Eigen::Matrix2d& met
   return c;
 }
 
-Section section_at(const Material& material, const geometry::Frame& frame, double thickness) {
+Section section_at(const Material& material, const geometry::Frame& frame, double thickness,
+                   const InitialState& initial) {
   if (const Isotropic* isotropic = material.isotropic()) {
     const Eigen::Matrix3d c = elasticity(*isotropic, frame.metric_con);
     const double e = thickness;
-    return {.membrane = e * c,
-            .bending = e * e * e / 12 * c,
-            .shear = material.shear_correction * e * isotropic->mu * frame.metric_con};
+    Section section{.membrane = e * c,
+                    .bending = e * e * e / 12 * c,
+                    .shear = material.shear_correction * e * isotropic->mu * frame.metric_con};
+    if (initial.is_heated() && isotropic->expansion != 0) {
+      const auto& a = frame.metric_cov;
+      const Vector3d per_kelvin = isotropic->expansion * Vector3d(a(0, 0), a(1, 1), 2 * a(0, 1));
+      section.initial_force = section.membrane * (initial.temperature * per_kelvin);
+      section.initial_moment = section.bending * (initial.difference / e * per_kelvin -
+                                                  isotropic->expansion * initial.temperature * initial.curvature);
+    }
+    return section;
   }
   const auto laminate = material.laminate();
-  return laminate->section(laminate->axes(frame), thickness, material.shear_correction);
+  return laminate->section(laminate->axes(frame), thickness, material.shear_correction, initial);
 }
 
 geometry::Frame orthonormal_frame(const Vector3d& t1, const Vector3d& t2) {

@@ -11,8 +11,9 @@
 namespace plastron::shell {
 
 struct Isotropic {
-  double lambda = 0;  ///< first Lame constant [Pa]
-  double mu = 0;      ///< shear modulus [Pa]
+  double lambda = 0;     ///< first Lame constant [Pa]
+  double mu = 0;         ///< shear modulus [Pa]
+  double expansion = 0;  ///< alpha, strain per temperature [1/K]
 
   /// Young's modulus E [Pa].
   double young() const { return mu * (3 * lambda + 2 * mu) / (lambda + mu); }
@@ -37,6 +38,8 @@ struct Material {
   }
   /// Returns a modulus that scales penalties and tolerances: Young's modulus, or the mean of a laminate [Pa].
   double young() const { return isotropic() ? isotropic()->young() : laminate()->young(); }
+  /// Whether temperatures strain the material.
+  bool expands() const { return isotropic() ? isotropic()->expansion != 0 : laminate()->expands(); }
   /// Returns a modulus of transverse shear: mu, or the mean of a laminate [Pa].
   double shear_modulus() const { return isotropic() ? isotropic()->mu : laminate()->shear_modulus(); }
 };
@@ -46,7 +49,8 @@ Eigen::Matrix3d elasticity(const Isotropic& material, const Eigen::Matrix2d& met
 
 /// Returns the cross-section of a thickness in the frame's contravariant components. Precondition: the direction of a
 /// laminate is not normal to the surface.
-Section section_at(const Material& material, const geometry::Frame& frame, double thickness);
+Section section_at(const Material& material, const geometry::Frame& frame, double thickness,
+                   const InitialState& initial = {});
 
 /// Returns the frame of two orthonormal tangents, in which components of tensors are those in these axes.
 geometry::Frame orthonormal_frame(const Vector3d& t1, const Vector3d& t2);

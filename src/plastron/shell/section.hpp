@@ -9,6 +9,18 @@ namespace plastron::shell {
 /// Strains or resultants of a point in one vector: membrane 11, 22, 12, bending 11, 22, 12, shear 1, 2.
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 
+/// What strains a cross-section without stress (M34): the temperature T_m + (z / e) dT over that without stress, and a factor of the
+/// initial strains that layers have. A curved shell that grows evenly by alpha T_m has the strains gamma = alpha T_m a, chi = -alpha T_m b,
+/// as the length of directors stays: both are strains without stress.
+struct InitialState {
+  double strains = 1;
+  double temperature = 0;                               ///< T_m [K]
+  double difference = 0;                                ///< dT, of the upper face less that of the lower face [K]
+  Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< b_11, b_22, 2 b_12 in the components of the section [1/m]
+
+  bool is_heated() const { return temperature != 0 || difference != 0; }
+};
+
 /// A cross-section at a point. It maps strains to resultants:
 ///
 ///     N = A gamma + B chi - N_0,     M = B gamma + D chi - M_0,     Q = S (2 delta).

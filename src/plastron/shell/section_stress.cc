@@ -109,7 +109,7 @@ EnergyDensity energy_density(const Material& material, const SectionForces& f) {
   const Section section =
       f.laminate ? f.laminate->section()
                  : section_at(material, orthonormal_frame(Vector3d::UnitX(), Vector3d::UnitY()), f.thickness);
-  const Vector8 n = f.all() + section.initial_resultants(), strains = section.strains_of(n);
+  const Vector8 n = f.all(), strains = section.strains_of(n);
   return {n.head<3>().dot(strains.head<3>()) / 2, n.segment<3>(3).dot(strains.segment<3>(3)) / 2,
           n.tail<2>().dot(strains.tail<2>()) / 2};
 }

@@ -73,8 +73,7 @@ struct Principal {
 
 Principal principal(const Vector3d& t);
 
-/// Energy per mid-surface area of the resultants (M8), from the compliances [J/m^2]. With initial strains it is the
-/// energy of the total strains.
+/// Energy per mid-surface area of the resultants (M8), from the compliances [J/m^2].
 EnergyDensity energy_density(const Material& material, const SectionForces& f);
 
 }  // namespace plastron::shell

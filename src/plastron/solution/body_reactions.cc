@@ -26,8 +26,8 @@ fem::BodyMotion motion_of(const assembly::DiscreteShell& discrete, std::size_t b
     return fem::motion_of(space, space.bodies[body], y);
   }
   const fem::BodyPlace& place = discrete.places[body];
-  const Vector3d prescribed =
-      discrete.state.factors.supports * discrete.space().bodies[body].body.prescribed_rotation();
+  const fem::RigidBody& description = discrete.space().bodies[body].body;
+  const Vector3d prescribed = discrete.state.factors.support(description.factor) * description.prescribed_rotation();
   return {place.displacement, geometry::rotation_vector(place.turn, prescribed)};
 }
 
@@ -103,7 +103,7 @@ double distance_from_body(const assembly::DiscreteShell& discrete, std::size_t b
   }
   for (Eigen::Index c = 0; c < 6; ++c) {
     const auto& value = placed.body.fixed[static_cast<std::size_t>(c)];
-    const double unit = discrete.state.factors.supports * (c < 3 ? 1 : placed.length);
+    const double unit = discrete.state.factors.support(placed.body.factor) * (c < 3 ? 1 : placed.length);
     if (value) most = std::max(most, std::abs(q[c] - unit * *value));
   }
   return most;

@@ -1,8 +1,8 @@
 #include <plastron/solution/nodal_solution.hpp>
 
 #include <plastron/assembly/box_problem.hpp>
-#include <plastron/assembly/normal_rotation.hpp>
 #include <plastron/constraints/map.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,13 +53,23 @@ template <class IsActive>
 void set_contact(const assembly::DiscreteShell& discrete, const IsActive& is_active, NodalSolution& solution) {
   const assembly::NodalCoordinates& coordinates = discrete.coordinates;
   const algebra::Vector r = residual(discrete, solution);
+  // The force along a row's coordinate of a bed that touches the same node from the other side.
+  const auto force_of_bed = [&](const assembly::ContactRow& row) {
+    for (const assembly::ContactRow& other : coordinates.rows_of(row.node))
+      if (other.bed > 0 && other.gap_coordinate == row.coordinate && is_active(other))
+        return -other.gap_scale * other.bed *
+               discrete.nodal_gap(static_cast<std::size_t>(other.obstacle), row.node, solution.y);
+    return 0.0;
+  };
   for (const assembly::ContactRow& row : coordinates.rows) {
     if (!row.binds || !is_active(row)) continue;
     const auto k = static_cast<std::size_t>(row.obstacle);
     solution.touching.at(row.node)[k] = 1;
     solution.pressure.at(row.node)[k] =
-        coordinates.basis[row.node].col(row.coordinate).dot(assembly::node_values(r, row.node)) /
-        (row.scale * discrete.points[row.node].weight);
+        row.bed > 0 ? -discrete.obstacles.all[k].bed * discrete.nodal_gap(k, row.node, solution.y)
+                    : (coordinates.basis[row.node].col(row.coordinate).dot(assembly::node_values(r, row.node)) -
+                       force_of_bed(row)) /
+                          (row.scale * discrete.points[row.node].weight);
   }
   for (algebra::Vector* field : {&solution.touching, &solution.pressure}) {
     field->update_ghosts();

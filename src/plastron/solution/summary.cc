@@ -1,6 +1,6 @@
 #include <plastron/solution/summary.hpp>
 
-#include <plastron/assembly/normal_rotation.hpp>
+#include <plastron/energy/normal_rotation.hpp>
 #include <plastron/geometry/rotation.hpp>
 
 #include <algorithm>
@@ -56,6 +56,10 @@ Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolutio
     sums.obstacles[k].nodes += 1;
     sums.obstacles[k].reaction += nodal_wrench(point.phi, point.a3, force);
     sums.obstacles[k].force_norms += force.head<3>().norm();
+    if (const double bed = discrete.obstacles.all[k].bed; bed > 0) {
+      sums.obstacles[k].bed_energy += pressure * pressure / bed * point.weight / 2;
+      sums.obstacles[k].largest_closure = std::max(sums.obstacles[k].largest_closure, pressure / bed);
+    }
     sums.max_pressure = std::max(sums.max_pressure, pressure);
     sums.lift_work += pressure * point.weight * discrete.state.lift(i, k);
   }
@@ -114,6 +118,8 @@ void add_totals(const Sums& sums, MPI_Comm comm, Summary& s) {
     s.obstacles.back().reaction = over_ranks(contact.reaction, comm);
     s.obstacles.back().force_norms = algebra::sum_over_ranks(contact.force_norms, comm);
     s.obstacles.back().nodes = algebra::sum_over_ranks(contact.nodes, comm);
+    s.obstacles.back().bed_energy = algebra::sum_over_ranks(contact.bed_energy, comm);
+    s.obstacles.back().largest_closure = algebra::max_over_ranks(contact.largest_closure, comm);
     s.reaction += s.obstacles.back().reaction;
   }
   s.support_reaction = over_ranks(sums.supports, comm);
@@ -129,7 +135,7 @@ void add_totals(const Sums& sums, MPI_Comm comm, Summary& s) {
 }
 
 double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(shell.space().layout->owned); ++i)
     most = std::max(most, std::abs(node_values(y, i).tail<3>().dot(discrete.points[i].a3)));
@@ -143,7 +149,7 @@ double max_normal_rotation(const assembly::DiscreteShell& discrete, const algebr
 }
 
 /// Returns the largest principal strain of both faces, by absolute value.
-double largest_principal(const assembly::QuadraturePoint& p, const Eigen::Vector3d& membrane,
+double largest_principal(const energy::QuadraturePoint& p, const Eigen::Vector3d& membrane,
                          const Eigen::Vector3d& bending) {
   double largest = 0;
   for (const double z : {-p.thickness / 2, p.thickness / 2}) {
@@ -158,10 +164,10 @@ double largest_principal(const assembly::QuadraturePoint& p, const Eigen::Vector
 }
 
 double max_strain(const assembly::DiscreteShell& discrete, const algebra::Vector& y) {
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   double most = 0;
   for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const assembly::CellStrain strains = discrete.strains(c, y);
+    const energy::CellStrain strains = discrete.strains(c, y);
     for (Eigen::Index q = 0; q < strains.rows(); ++q) {
       const double strain = largest_principal(shell.point(c, static_cast<int>(q)), strains.row(q).head<3>().transpose(),
                                               strains.row(q).segment<3>(3).transpose());
@@ -171,31 +177,46 @@ double max_strain(const assembly::DiscreteShell& discrete, const algebra::Vector
   return algebra::max_over_ranks(most, shell.space().layout->comm);
 }
 
-/// Returns the energy of the initial strains at the state's load factor (collective) [J].
+/// Returns the energy of the initial strains (collective) [J].
 double initial_energy(const assembly::DiscreteShell& discrete) {
-  const assembly::ShellOperator& shell = discrete.shell;
+  const energy::ShellOperator& shell = discrete.shell;
   double sum = 0;
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const auto initial = shell.weighted_initial_stresses(c);
-    if (!initial) continue;
-    for (Eigen::Index q = 0; q < initial->rows(); ++q) {
-      const assembly::QuadraturePoint p = shell.point(c, static_cast<int>(q));
-      sum += initial->row(q).dot(p.section.strains_of(p.section.initial_resultants()).transpose()) / 2;
-    }
-  }
-  const double factor = discrete.state.factors.loads;
-  return factor * factor * algebra::sum_over_ranks(sum, shell.space().layout->comm);
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
+    if (const auto strains = shell.initial_strains(c, discrete.state.factors))
+      sum += strains->cwiseProduct(*shell.weighted_initial_stresses(c, discrete.state.factors)).sum() / 2;
+  return algebra::sum_over_ranks(sum, shell.space().layout->comm);
 }
 
 /// Adds energies, and whether they are only rounding.
 void add_energies(const assembly::DiscreteShell& discrete, const NodalSolution& solution, Summary& s) {
   s.energy = discrete.energies(solution.y);
-  s.tangency_energy = tangency_energy(discrete.shell, discrete.tangency_factor(), solution.y);
+  s.tangency_energy = discrete.energy_of_terms(solution.y, true);
   s.max_strain = max_strain(discrete, solution.y);
   s.initial_energy = initial_energy(discrete);
   s.rigid_energy = strain_scale(discrete, solution.y, s.size).energy;
   s.rounding_energy = rounding_of_energy * s.rigid_energy;
   s.is_unstrained = 2 * (s.energy.total() + s.tangency_energy) < s.rounding_energy;
+}
+
+/// Returns the force of each foundation on the shell, and its energy (collective).
+std::vector<FoundationReaction> foundation_reactions(const assembly::DiscreteShell& discrete,
+                                                     const algebra::Vector& y) {
+  std::vector<FoundationReaction> all;
+  for (std::size_t k = 0; k < discrete.foundations.size(); ++k) {
+    const auto& [description, term] = discrete.foundations[k];
+    FoundationReaction& one =
+        all.emplace_back(FoundationReaction{.name = description.name, .is_spring = description.is_spring()});
+    if (!term) continue;
+    algebra::Vector forces(y.layout(), 6);
+    term->add_forces(discrete.shell, y, forces);
+    forces.accumulate_ghosts();
+    Wrench sum;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(y.layout()->owned); ++i)
+      sum += nodal_wrench(discrete.place(i).phi, discrete.place(i).a3, -node_values(forces, i));
+    one.reaction = over_ranks(sum, y.layout()->comm);
+    one.energy = term->energy(discrete.shell, y);
+  }
+  return all;
 }
 
 /// Sum of the norms of loads_and_initial_forces(), couples divided by `size` [N] (collective).
@@ -235,6 +256,7 @@ Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& 
   s.corner_reactions = std::move(supports.corners);
   s.point_reactions = std::move(supports.points);
   s.body_reactions = bodies.bodies;
+  s.foundations = foundation_reactions(discrete, solution.y);
   return s;
 }
 
@@ -260,6 +282,7 @@ void take_moments_about(const Vector3d& point, Summary& summary) {
   const Vector3d by = point - summary.moment_point;
   for (Wrench* wrench : {&summary.loads, &summary.reaction, &summary.support_reaction}) wrench->move_point(by);
   for (SupportReaction& support : summary.support_reactions) support.reaction.move_point(by);
+  for (FoundationReaction& foundation : summary.foundations) foundation.reaction.move_point(by);
   for (CornerReaction& corner : summary.corner_reactions) corner.reaction.move_point(by);
   for (ObstacleContact& obstacle : summary.obstacles) {
     obstacle.reaction.move_point(by);

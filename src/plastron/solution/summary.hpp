@@ -16,9 +16,11 @@ namespace plastron::solution {
 struct ObstacleContact {
   std::string name{};
   Wrench reaction{};
-  double force_norms = 0;  ///< sum of the norms of its nodal forces, which do not cancel [N]
-  double area = 0;         ///< mid-surface area within the boundaries of its zones [m^2]
-  std::int64_t nodes = 0;  ///< number of nodes that touch it
+  double force_norms = 0;      ///< sum of the norms of its nodal forces, which do not cancel [N]
+  double area = 0;             ///< mid-surface area within the boundaries of its zones [m^2]
+  double bed_energy = 0;       ///< energy of its bed [J]
+  double largest_closure = 0;  ///< by which its bed gives [m]
+  std::int64_t nodes = 0;      ///< number of nodes that touch it
   Vector3d translation =
       Vector3d::Zero();  ///< displacement of the origin of the shape's own coordinates since the start [m]
   Vector3d rotation = Vector3d::Zero();  ///< rotation since the start: axis times angle [rad]
@@ -33,9 +35,17 @@ struct ObstacleContact {
       zones{};  ///< zones on the finest mesh, see zones::contact_zones(); certify() leaves them empty
 };
 
+/// What a foundation or a spring does to the shell.
+struct FoundationReaction {
+  std::string name{};
+  bool is_spring = false;
+  Wrench reaction{};
+  double energy = 0;  ///< [J]
+};
+
 /// Totals of the solution: energies, works, resultants, contact.
 struct Summary {
-  assembly::Energies energy;
+  energy::Energies energy;
   double load_work = 0;  ///< l(U) [J]
   Wrench loads, reaction, support_reaction;
   /// Point about which all moments here are taken, see take_moments_about() [m].
@@ -71,9 +81,12 @@ struct Summary {
   std::vector<CornerReaction> corner_reactions{};    ///< where supported edges meet
   std::vector<PointReaction> point_reactions{};      ///< at supported points
   std::vector<BodyReaction> body_reactions{};        ///< in the order of the case
+  std::vector<FoundationReaction> foundations{};     ///< in the order of the case
   std::vector<ObstacleContact> obstacles{};          ///< in the order of the problem
   EdgeContact edge;                                  ///< part of the contact on edges of the shell
 
+  /// Sum of the forces of all foundations on the shell.
+  Wrench foundation_reaction() const;
   /// Sum of the norms of the obstacles' nodal forces [N].
   double contact_norms() const;
   /// The largest sum of norms, of loads, obstacles or supports [N]. Forces that are much smaller vanish.

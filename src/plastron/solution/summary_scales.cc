@@ -6,6 +6,12 @@
 
 namespace plastron::solution {
 
+Wrench Summary::foundation_reaction() const {
+  Wrench sum;
+  for (const FoundationReaction& foundation : foundations) sum += foundation.reaction;
+  return sum;
+}
+
 double Summary::contact_norms() const {
   double sum = 0;
   for (const ObstacleContact& obstacle : obstacles) sum += obstacle.force_norms;

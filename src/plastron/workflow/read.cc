@@ -1,11 +1,11 @@
 #include <plastron/workflow/read.hpp>
 
 #include <plastron/algebra/agreement.hpp>
-#include <plastron/assembly/load_vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/computation/sensitivity.hpp>
 #include <plastron/config/printable.hpp>
 #include <plastron/domain/domain_mesh.hpp>
+#include <plastron/energy/load_vector.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/geometry/given_function.hpp>
 #include <plastron/io/mode_file.hpp>
@@ -93,7 +93,7 @@ void refusing(const std::function<void()>& work) {
     refuse(error);
   } catch (const obstacle::ObstacleError& error) {
     refuse(error);
-  } catch (const assembly::LoadError& error) {
+  } catch (const energy::LoadError& error) {
     refuse(error);
   } catch (const geometry::FunctionError& error) {
     refuse(error);

@@ -1,7 +1,0 @@
-#ifdef __x86_64__
-#define PLASTRON_PACK_KERNELS avx2_kernels
-#define PLASTRON_PACK_NAMESPACE avx2_packs
-#define PLASTRON_PACK_INSTRUCTIONS "AVX2"
-#define PLASTRON_PACK_LANES 4
-#include <plastron/assembly/pack_formulas.hpp>
-#endif

@@ -1,0 +1,32 @@
+// A part of the potential beside the strain energy of the shell (M31): a quadratic form of the nodal values y = (u, r). Its energy, its
+// forces and its stiffness have the same names in all terms; the discrete shell adds them up and names none of them.
+#pragma once
+#include <plastron/energy/shell_operator.hpp>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace plastron::energy {
+
+class Term {
+ public:
+  Term() = default;
+  Term(const Term&) = delete;
+  Term& operator=(const Term&) = delete;
+  virtual ~Term() = default;
+
+  /// Whether the term belongs to the formulation, such as a penalty, and stores no energy of the shell or of its surroundings.
+  virtual bool is_artificial() const { return false; }
+  /// Returns 1/2 y . K y. Needs y's ghosts (collective) [J].
+  virtual double energy(const ShellOperator& shell, const algebra::Vector& y) const = 0;
+  /// Adds the derivative of the energy, K y, of this rank's cells to f's local values. Needs y's ghosts. f.accumulate_ghosts() then
+  /// completes the sum.
+  virtual void add_forces(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& f) const = 0;
+  /// Returns K of an owned cell, on (u, r) of its nodes; nothing where the term does not act.
+  virtual std::optional<RowMatrix> stiffness(const ShellOperator& shell, std::size_t cell) const = 0;
+};
+
+using Terms = std::vector<std::shared_ptr<const Term>>;
+
+}  // namespace plastron::energy
