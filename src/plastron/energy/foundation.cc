@@ -56,15 +56,16 @@ class FoundationTerm final : public Term {
   }
 
   std::optional<RowMatrix> stiffness(const ShellOperator& shell, std::size_t cell) const override {
-    const auto here = std::ranges::equal_range(pieces_, cell, {}, &FoundationPiece::cell);
-    if (here.empty()) return {};
+    const auto first = std::ranges::lower_bound(pieces_, cell, {}, &FoundationPiece::cell);
+    const auto last = std::ranges::upper_bound(pieces_, cell, {}, &FoundationPiece::cell);
+    if (first == last) return {};
     const auto size = 6 * static_cast<Eigen::Index>(shell.tables().nodes_per_cell());
     RowMatrix k = RowMatrix::Zero(size, size);
     CellField unit = CellField::Zero(size / 6, 6);
     for (Eigen::Index i = 0; i < size; ++i) {
       unit.data()[i] = 1;
-      for (const FoundationPiece& piece : here)
-        k.row(i) += forces(shell, piece, unit).reshaped<Eigen::RowMajor>().transpose();
+      for (auto piece = first; piece != last; ++piece)
+        k.row(i) += forces(shell, *piece, unit).reshaped<Eigen::RowMajor>().transpose();
       unit.data()[i] = 0;
     }
     return k;
