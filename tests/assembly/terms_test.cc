@@ -5,6 +5,8 @@
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/energy/foundation.hpp>
 #include <plastron/energy/normal_rotation.hpp>
+#include <plastron/fem/constraints.hpp>
+#include <plastron/geometry/rotation.hpp>
 
 #include <gtest/gtest.h>
 
@@ -137,6 +139,70 @@ TEST(Foundation, WithoutStiffnessIsNoTerm) {
   EXPECT_THROW(foundation_term(shell, {.name = "soil", .normal = Expression("x - 0.5", {})}), energy::LoadError);
   EXPECT_THROW(foundation_term(shell, {.normal = Expression("1/(x-x)", {})}), energy::LoadError);
   EXPECT_THROW(foundation_term(shell, {.boundaries = {"no such"}, .normal = Expression(1.0)}), energy::LoadError);
+}
+
+/// (u, r) of a rigid body's nodes after the displacement d and the rotation R about the reference point.
+algebra::Vector placed_motion(const fem::Space& space, const Eigen::Vector3d& d, const Eigen::Matrix3d& R) {
+  algebra::Vector y(space.layout, 6);
+  const fem::PlacedBody& body = space.bodies[0];
+  for (const fem::BodyNode& member : body.members) {
+    double* values = y.at(static_cast<std::size_t>(member.node)).data();
+    const auto arm = [&](int part) { return fem::turned_vector(member.motion.block<3, 3>(part, 3)) * body.length; };
+    Eigen::Map<Eigen::Vector3d>{values} = d + R * arm(0) - arm(0);
+    Eigen::Map<Eigen::Vector3d>{values + 3} = R * arm(3) - arm(3);
+  }
+  return y;
+}
+
+// Of rotations up to 2.5, about drawn axes.
+TEST(BodySpring, HasForcesAndStiffnessThatAreDerivativesOfItsEnergy) {
+  const auto m = test::meshed(test::skew(), test::saddle, 2, 1);
+  const auto space = fem::with_rigid_bodies(
+      m.space, *m.surface, {{.name = "frame", .boundaries = {"edge2"}, .reference = {0.3, -0.2, 0.4}}});
+  const energy::ShellOperator shell(space, m.surface, test::steel_of(Expression(0.1)), true, false);
+  Eigen::Matrix3d axes;
+  axes << 0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1;
+  const Foundation spring{.body = "frame",
+                          .stiffness = {Expression(1.0), Expression(2.0), Expression(3.0)},
+                          .rotation = {Expression(4.0), Expression(0.5), Expression(1.0)},
+                          .axes = axes};
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto drawn = [&] { return Eigen::Vector3d(uniform(generator), uniform(generator), uniform(generator)); };
+  for (const auto rotations : {element::Rotations::small, element::Rotations::finite})
+    for (const double angle : {1e-5, 0.3, 1.4, 2.5}) {
+      const auto term = foundation_term(shell, spring, rotations);
+      const bool is_finite = rotations == element::Rotations::finite;
+      const Eigen::Vector3d d = drawn(), v = drawn(), w = drawn(), theta = angle * drawn().normalized();
+      const auto turned = [&](const Eigen::Vector3d& by) -> Eigen::Matrix3d {
+        if (is_finite) return geometry::rotation_of(by) * geometry::rotation_of(theta);
+        return Eigen::Matrix3d::Identity() + geometry::cross_matrix(theta + by);
+      };
+      const auto at = [&](double t) { return placed_motion(*space, d + t * v, turned(t * w)); };
+      const auto forces = [&](double t) {
+        algebra::Vector f(space->layout, 6);
+        term->add_forces(shell, at(t), f);
+        return f;
+      };
+      const double t = 1e-5;
+      algebra::Vector motion = at(t);
+      algebra::axpy(-1, at(-t), motion);
+      for (double& value : motion.local()) value /= 2 * t;
+      const double slope = (term->energy(shell, at(t)) - term->energy(shell, at(-t))) / (2 * t);
+      EXPECT_NEAR(algebra::dot(forces(0), motion), slope, 1e-8) << angle;
+      algebra::Vector product(space->layout, 6);
+      term->add_product(shell, at(0), motion, product);
+      // The second derivative along the motion, in which nodes of a body move on circles with finite rotations.
+      const double second =
+          (term->energy(shell, at(100 * t)) - 2 * term->energy(shell, at(0)) + term->energy(shell, at(-100 * t))) /
+          (1e4 * t * t);
+      EXPECT_NEAR(algebra::dot(product, motion), second, 1e-5 * (1 + second)) << angle;
+      const auto stiffness = term->stiffness_of_body(shell, 0, at(0));
+      ASSERT_TRUE(stiffness);
+      Eigen::Matrix<double, 6, 1> q;
+      q << v, space->bodies[0].length * w;
+      EXPECT_NEAR(q.dot(*stiffness * q), second, 1e-5 * (1 + second)) << angle;
+    }
 }
 
 /// A shell with all kinds of terms, heated.

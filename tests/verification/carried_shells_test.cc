@@ -99,6 +99,81 @@ TEST(Winkler, SeriesGivesThePublishedValues) {
   EXPECT_NEAR(navier(1, D, S, 100 * D, 0, D), 3.3371198e-3, 2e-9);
 }
 
+// A force and a moment on a body that springs hold: d = F / k along each axis, theta = M / c, also for large rotations.
+TEST(Spring, HoldsABody) {
+  for (const auto& u : all_units)
+    for (const auto& [rotations, angle, degree] :
+         {std::tuple("small", 2.0, 2), std::tuple("finite", 0.1, 3), std::tuple("finite", 2.0, 2)}) {
+      const double L = u.length, F = u.force, c = 3 * F * L;
+      const auto result =
+          solved(fmt::format(R"case([shell]
+E = {}
+nu = 0.3
+thickness = {}
+rotations = "{}"
+[geometry]
+domain = {{ rectangle = {{ from = [0, 0], to = [{}, {}], cells = [2, 2] }} }}
+chart = ["x", "y", "0"]
+[mesh]
+degree = {}
+refinements = 1
+[[rigid_body]]
+name = "frame"
+boundary = "left"
+reference = [{}, 0, {}]
+force = [{}, {}, {}]
+moment = [0, {}, 0]
+[[spring]]
+name = "holder"
+body = "frame"
+stiffness = [{}, {}, {}]
+rotation = [{}, {}, {}]
+axes = [[0, 0, 1], [1, 0, 0]]
+)case",
+                             1e3 * F / (L * L), 0.1 * L, rotations, L, L, degree, 0.2 * L, 0.3 * L, F, 2 * F, 3 * F,
+                             angle * c, 30 * F / L, 10 * F / L, 20 * F / L, 5 * c, 7 * c, c));
+      EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits;
+      const auto& body = result.summary.body_reactions.at(0);
+      const Eigen::Vector3d d = L * Eigen::Vector3d(0.1, 0.1, 0.1);
+      EXPECT_LT((body.displacement - d).norm(), 1e-9 * L) << rotations << angle;
+      EXPECT_LT((body.rotation - Eigen::Vector3d(0, angle, 0)).norm(), 1e-8) << rotations << angle;
+      EXPECT_NEAR(result.summary.energy.foundations / (F * L), (0.1 + 0.2 + 0.3) / 2 + angle * angle * 3 / 2, 1e-7);
+      const auto& spring = result.summary.foundations.at(0);
+      EXPECT_LT((spring.reaction.force + F * Eigen::Vector3d(1, 2, 3)).norm(), 1e-7 * F);
+      EXPECT_LT(result.certificate.force_balance, 1e-8);
+      EXPECT_LT(result.certificate.moment_balance, 1e-8);
+    }
+}
+
+// The first frequency of a stiff plate that moves along the spring alone: omega^2 = k / m.
+TEST(Spring, GivesABodyItsFrequency) {
+  for (const std::string rotations : {"small", "finite"}) {
+    const auto result = solved(fmt::format(R"case([shell]
+E = 2e11
+nu = 0.3
+thickness = 0.2
+density = 8000
+rotations = "{}"
+[geometry]
+domain = {{ rectangle = {{ from = [0, 0], to = [1, 1], cells = [2, 2] }} }}
+chart = ["x", "y", "0"]
+[[rigid_body]]
+name = "frame"
+boundary = ["left", "right", "top", "bottom"]
+reference = [0.5, 0.5, 0]
+fix = ["theta", "u.x", "u.y"]
+[[spring]]
+body = "frame"
+stiffness = [0, 0, 1e4]
+[modes]
+vibration = 1
+)case",
+                                           rotations));
+    ASSERT_FALSE(result.modes.empty());
+    EXPECT_NEAR(result.modes.at(0).value / (1e4 / 1600), 1, 1e-4) << rotations;
+  }
+}
+
 // A spring alone carries a plate with a rigid motion; a plate on three springs tilts.
 TEST(Spring, CarriesARigidPlate) {
   for (const std::string rotations : {"small", "finite"}) {

@@ -137,7 +137,7 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   algebra::Matrix matrix = sum_over_cells(shell.space(), coordinates.width, [&](std::size_t c) {
     return material_stiffness(discrete, coordinates, c, shell.geometry(c));
   });
-  coordinates.add_bed_stiffness(matrix);
+  add_springs(discrete, coordinates, matrix);
   matrix.finish();
   return matrix;
 }

@@ -6,7 +6,6 @@
 #include <plastron/geometry/symmetric_eigen.hpp>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -16,51 +15,6 @@ namespace plastron::assembly {
 namespace {
 
 using Eigen::Matrix3d;
-
-/// Sums over nodes of p, q and of their products.
-struct Moments {
-  double count = 0;
-  Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();
-  Matrix3d products = Matrix3d::Zero();
-};
-
-Moments over_ranks(Moments sums, MPI_Comm comm) {
-  sums.count = algebra::sum_over_ranks(sums.count, comm);
-  for (double& entry : sums.from) entry = algebra::sum_over_ranks(entry, comm);
-  for (double& entry : sums.to) entry = algebra::sum_over_ranks(entry, comm);
-  for (double& entry : sums.products.reshaped()) entry = algebra::sum_over_ranks(entry, comm);
-  return sums;
-}
-
-/// Returns the rotation nearest to a matrix; about axes that it leaves free, the smallest.
-Matrix3d nearest_rotation(const Matrix3d& matrix) {
-  constexpr double free = 1e-12;
-  const Eigen::JacobiSVD<Matrix3d> svd(matrix + free * matrix.norm() * Matrix3d::Identity(),
-                                       Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() > 0 ? 1 : -1;
-  return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-}
-
-fem::BodyPlace body_place(const fem::Space& space, const fem::PlacedBody& placed, const std::vector<NodalPoint>& points,
-                          const algebra::Vector& y) {
-  Moments sums;
-  for (const fem::BodyNode& member : placed.members) {
-    if (member.node >= space.layout->owned) continue;
-    const auto node = static_cast<std::size_t>(member.node);
-    const Vector6 moved = node_values(y, node);
-    const Vector3d p = points[node].phi - placed.body.reference, q = p + moved.head<3>();
-    sums.count += 1;
-    sums.from += p;
-    sums.to += q;
-    sums.products += q * p.transpose();
-    if (placed.body.turns_normals)
-      sums.products +=
-          placed.length * placed.length * (points[node].a3 + moved.tail<3>()) * points[node].a3.transpose();
-  }
-  sums = over_ranks(sums, space.layout->comm);
-  const Matrix3d turn = nearest_rotation(sums.products - sums.to * sums.from.transpose() / sums.count);
-  return {.displacement = (sums.to - turn * sums.from) / sums.count, .turn = turn};
-}
 
 void carry(const fem::PlacedBody& placed, const fem::BodyPlace& place, const std::vector<NodalPoint>& points,
            algebra::Vector& y) {
@@ -105,16 +59,15 @@ std::optional<Vector3d> prescribed_director(const Vector3d& a3, const NodeSuppor
   return a3 + rows.ldlt().solve(values);
 }
 
-std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vector<NodalPoint>& points,
-                                        const algebra::Vector& y) {
+std::vector<fem::BodyPlace> body_places(const fem::Space& space, const algebra::Vector& y) {
   std::vector<fem::BodyPlace> places;
   places.reserve(space.bodies.size());
-  for (const fem::PlacedBody& placed : space.bodies) places.push_back(body_place(space, placed, points, y));
+  for (const fem::PlacedBody& placed : space.bodies) places.push_back(fem::place_of(space, placed, y));
   return places;
 }
 
 algebra::Vector with_kept_lengths(const fem::Space& space, const std::vector<NodalPoint>& points, algebra::Vector y) {
-  const std::vector<fem::BodyPlace> places = body_places(space, points, y);
+  const std::vector<fem::BodyPlace> places = body_places(space, y);
   const std::vector<Vector3d> normals = normals_of(points);
   std::vector<Vector3d> directors = normals;
   const auto rotation = [&](std::size_t node) { return Eigen::Map<Vector3d>(y.at(node).data() + 3); };

@@ -12,8 +12,7 @@
 namespace plastron::assembly {
 
 /// Returns the places of the rigid bodies that are nearest to the places of their nodes (collective).
-std::vector<fem::BodyPlace> body_places(const fem::Space& space, const std::vector<NodalPoint>& points,
-                                        const algebra::Vector& y);
+std::vector<fem::BodyPlace> body_places(const fem::Space& space, const algebra::Vector& y);
 
 /// Returns (u, r) with directors of their lengths in the reference at all nodes except hanging ones, which are interpolated. Kinks
 /// keep their angle. Rigid bodies take their nodes to their places (collective).

@@ -5,12 +5,15 @@
 #include <plastron/energy/follower_pressure.hpp>
 #include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
-#include <plastron/geometry/frame.hpp>
+#include <plastron/geometry/rotation.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace plastron::assembly {
+
+using Eigen::Matrix3d;
 
 RigidObstacles RigidObstacles::standing(const State& state) const {
   RigidObstacles result{
@@ -49,23 +52,16 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
   if (description.is_objective) shell.interpolate_reference(places_and_directors(shell.space(), points));
   auto loads = energy::load_parts(shell, description.loads);
-  energy::Terms terms;
-  if (const double factor = tangency_factor(description.tangency); factor > 0)
-    terms.push_back(energy::normal_rotation_term(factor));
   std::vector<std::pair<energy::Foundation, std::shared_ptr<const energy::Term>>> foundations;
-  for (const energy::Foundation& foundation : description.foundations) {
-    foundations.emplace_back(foundation, energy::foundation_term(shell, foundation));
-    if (foundations.back().second) terms.push_back(foundations.back().second);
-  }
+  for (const energy::Foundation& foundation : description.foundations) foundations.emplace_back(foundation, nullptr);
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
                                                                 .loads = std::move(loads),
-                                                                .terms = std::move(terms),
                                                                 .foundations = std::move(foundations),
                                                                 .obstacles_at_start = description.obstacles,
                                                                 .tangency = description.tangency,
-                                                                .all_supports = description.supports,
-                                                                .rotations = description.rotations});
+                                                                .all_supports = description.supports});
+  discrete->set_rotations(description.rotations);
   linearise(*discrete, std::move(state));
   return discrete;
 }
@@ -94,7 +90,7 @@ void linearise_deformed(DiscreteShell& discrete, std::shared_ptr<const fem::Spac
   y = discrete.state.is_deformed() ? with_kept_lengths(discrete.space(), discrete.points, std::move(y))
                                    : algebra::Vector(discrete.space().layout, 6);
   discrete.moved = moved_points(discrete.points, y);
-  discrete.places = body_places(discrete.space(), discrete.points, y);
+  discrete.places = body_places(discrete.space(), y);
   space = turned_space(space, discrete.points, discrete.moved, discrete.places);
   discrete.coordinates =
       nodal_coordinates(std::move(space), discrete.moved, remaining_supports(std::move(supports), discrete.points, y),
@@ -135,11 +131,51 @@ void linearise(DiscreteShell& discrete, State state) {
   discrete.initial_forces = energy::initial_forces(discrete.shell, factors);
 }
 
+void DiscreteShell::set_rotations(element::Rotations model) {
+  rotations = model;
+  terms.clear();
+  if (const double factor = tangency_factor(tangency); factor > 0)
+    terms.push_back(energy::normal_rotation_term(factor));
+  for (auto& [foundation, term] : foundations) {
+    term = energy::foundation_term(shell, foundation, rotations);
+    if (term) terms.push_back(term);
+  }
+}
+
 std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,
                                                                const element::CellField& field) const {
   if (!has_finite_rotations()) return {};
   if (kind == FieldKind::solution) return field / 2;  // see ShellOperator::finite_strains()
   return shell.gather(cell, state.displacement);
+}
+
+double DiscreteShell::angle(const Vector3d& a3, const Vector3d& r) const {
+  return has_finite_rotations() ? 2 * std::asin(std::min(1.0, r.norm() / (2 * a3.norm()))) : r.norm();
+}
+
+fem::BodyMotion DiscreteShell::body_motion(std::size_t body, const algebra::Vector& y) const {
+  if (!has_finite_rotations()) return fem::motion_of(*coordinates.space, coordinates.space->bodies[body], y);
+  const fem::RigidBody& description = space().bodies[body].body;
+  const Vector3d prescribed = state.factors.support(description.factor) * description.prescribed_rotation();
+  return {places[body].displacement, geometry::rotation_vector(places[body].turn, prescribed)};
+}
+
+Vector6 DiscreteShell::carried(std::size_t body, const fem::BodyNode& member, const fem::BodyMotion& motion) const {
+  const fem::PlacedBody& placed = space().bodies[body];
+  Vector6 values;
+  if (!has_finite_rotations()) {
+    values << motion.displacement, placed.length * motion.rotation;
+    return member.motion * values;
+  }
+  const NodalPoint& point = points[static_cast<std::size_t>(member.node)];
+  const Matrix3d change = places[body].turn - Matrix3d::Identity();
+  values << places[body].displacement + change * (point.phi - placed.body.reference), change * point.a3;
+  return values;
+}
+
+Vector3d DiscreteShell::reference_of_body(std::size_t body) const {
+  const Vector3d& reference = space().bodies[body].body.reference;
+  return has_finite_rotations() ? Vector3d(reference + places[body].displacement) : reference;
 }
 
 energy::CellGeometry DiscreteShell::geometry(std::size_t cell) const {
@@ -178,7 +214,11 @@ energy::Energies DiscreteShell::motion_energies(const algebra::Vector& y) const 
     return shell.strains(cell, shell.gather(cell, y), geometry(cell));
   })
                                                      : shell.energies(y);
-  energies.foundations = energy_of_terms(y, false);
+  algebra::Vector forces(y.layout(), 6);
+  for (const auto& term : terms)
+    if (!term->is_artificial()) term->add_product(shell, state.displacement, y, forces);
+  forces.accumulate_ghosts();
+  energies.foundations = algebra::dot(forces, y) / 2;
   return energies;
 }
 
@@ -254,12 +294,30 @@ void DiscreteShell::residual(const algebra::Vector& y, algebra::Vector& f) const
   algebra::axpy(-1, load, f);
 }
 
-void add_forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f) {
-  if (discrete.terms.empty()) return;
-  algebra::Vector own(f.layout(), 6);
-  for (const auto& term : discrete.terms) term->add_forces(discrete.shell, y, own);
-  own.accumulate_ghosts();
-  algebra::axpy(1, own, f);
+algebra::Vector forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, bool are_on_bodies) {
+  algebra::Vector f(y.layout(), 6);
+  for (const auto& term : discrete.terms)
+    if (term->is_on_body() == are_on_bodies) term->add_forces(discrete.shell, y, f);
+  f.accumulate_ghosts();
+  return f;
+}
+
+void add_springs(const DiscreteShell& discrete, const NodalCoordinates& coordinates, algebra::Matrix& matrix) {
+  coordinates.add_bed_stiffness(matrix);
+  const fem::Space& space = *coordinates.space;
+  for (std::size_t k = 0; k < space.bodies.size(); ++k)
+    for (const auto& term : discrete.terms) {
+      const auto stiffness = term->stiffness_of_body(discrete.shell, k, discrete.state.displacement);
+      if (!stiffness) continue;
+      for (const int part : {0, 1}) {
+        const algebra::LocalIndex host = space.bodies[k].hosts[static_cast<std::size_t>(part)];
+        if (host < 0 || host >= space.layout->owned) continue;
+        const RowMatrix basis =
+            coordinates.basis[static_cast<std::size_t>(host)].topRows<3>().leftCols(coordinates.width);
+        const RowMatrix block = basis.transpose() * stiffness->block<3, 3>(3 * part, 3 * part) * basis;
+        matrix.add({&host, 1}, {block.data(), static_cast<std::size_t>(block.size())});
+      }
+    }
 }
 
 algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete) {
@@ -294,7 +352,7 @@ algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::V
   f = forces_of_stresses(
       shell, [&](std::size_t c) { return discrete.stresses(c, discrete.strains(c, y)); },
       [&](std::size_t c) { return shell.geometry(c, shell.gather(c, y)); });
-  add_forces_of_terms(discrete, y, f);
+  for (const bool are_on_bodies : {false, true}) algebra::axpy(1, forces_of_terms(discrete, y, are_on_bodies), f);
   return f;
 }
 

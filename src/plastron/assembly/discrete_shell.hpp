@@ -8,6 +8,8 @@
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/energy/load_vector.hpp>
 #include <plastron/energy/shell_operator.hpp>
+#include <plastron/fem/constraints.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -26,7 +28,7 @@ struct DiscreteShell {
   energy::ShellOperator shell;
   std::vector<NodalPoint> points;
   std::vector<energy::LoadPart> loads;
-  energy::Terms terms;  ///< of the potential, besides the strain energy
+  energy::Terms terms{};  ///< of the potential, besides the strain energy
   /// The foundations of the description, each with its term; null where its stiffness is 0.
   std::vector<std::pair<energy::Foundation, std::shared_ptr<const energy::Term>>> foundations;
   RigidObstacles obstacles_at_start;
@@ -48,8 +50,31 @@ struct DiscreteShell {
   /// Block of vectors with a value for each obstacle, at least 1.
   int obstacle_block() const { return std::max(1, static_cast<int>(obstacles_at_start.all.size())); }
   bool has_finite_rotations() const { return rotations == element::Rotations::finite; }
+  // What follows from the model:
+  /// Whether strains, and the forces of the shell, are linear in (u, r).
+  bool has_linear_strains() const { return !has_finite_rotations(); }
+  /// Whether coordinates are those of increments from the state, and 0 at a solution; else they are those of (u, r).
+  bool has_increments() const { return has_finite_rotations(); }
+  /// Whether there may be several equilibria, of which some are not stable and the path of the loads decides.
+  bool depends_on_path() const { return has_finite_rotations(); }
+  /// Changes the model, and the terms with it. linearise() must follow (collective).
+  void set_rotations(element::Rotations model);
   /// Returns the node where forces act and directions are taken: of the deformed shell if rotations are finite.
-  const NodalPoint& place(std::size_t node) const { return has_finite_rotations() ? moved[node] : points[node]; }
+  const NodalPoint& place(std::size_t node) const { return present_points()[node]; }
+  /// Returns the same of all local nodes.
+  const std::vector<NodalPoint>& present_points() const { return has_finite_rotations() ? moved : points; }
+  /// Returns the angle between a_3 and the director a_3 + r; |r| with small rotations [rad].
+  double angle(const Vector3d& a3, const Vector3d& r) const;
+  /// Returns the part of r that moves the faces: with small rotations the tangential one.
+  Vector3d turning(const Vector3d& r, const Vector3d& a3) const {
+    return has_finite_rotations() ? r : geometry::tangential(r, a3);
+  }
+  /// Returns the motion of a rigid body since the start (collective).
+  fem::BodyMotion body_motion(std::size_t body, const algebra::Vector& y) const;
+  /// Returns (u, r) of a node of a rigid body after its motion, that of the state with finite rotations.
+  Vector6 carried(std::size_t body, const fem::BodyNode& member, const fem::BodyMotion& motion) const;
+  /// Returns the place where force and moment act on a rigid body: its reference point, moved with finite rotations [m].
+  Vector3d reference_of_body(std::size_t body) const;
   /// Returns the part of (u, r) at a node that the coordinates describe.
   Vector6 in_coordinates(const algebra::Vector& y, std::size_t node) const {
     return has_finite_rotations() ? Vector6(node_values(y, node) - state.at(node)) : node_values(y, node);
@@ -122,8 +147,11 @@ algebra::Vector forces_of_stresses(const energy::ShellOperator& shell, const Str
   return f;
 }
 
-/// Adds the forces of all terms at y to f, complete on owned nodes (collective).
-void add_forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f);
+/// Returns the forces at y of the terms on rigid bodies, or of the others, complete on owned nodes (collective).
+algebra::Vector forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, bool are_on_bodies);
+
+/// Adds the stiffness of beds and of springs on rigid bodies at the state to a matrix that is not finished (collective).
+void add_springs(const DiscreteShell& discrete, const NodalCoordinates& coordinates, algebra::Matrix& matrix);
 
 /// Returns the derivative of the potential without loads at (u, r) = y, like forces_of_stresses() (collective).
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);

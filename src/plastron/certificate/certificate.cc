@@ -145,7 +145,7 @@ Certificate certificate_of(const assembly::DiscreteShell& discrete, const soluti
   const Vector3d moment = s.loads.moment + s.reaction.moment + s.support_reaction.moment + carried.moment;
   c.force_balance = ratio(force.norm(), std::max(sum(sums.force_scale), least.force));
   c.moment_balance = ratio(moment.norm(), std::max(sum(sums.moment_scale), least.moment));
-  if (discrete.has_finite_rotations()) {
+  if (!discrete.has_linear_strains()) {
     c.energy_derivative = energy_derivative(discrete, solution.y, std::max(s.energy.total(), least.energy));
     return c;
   }

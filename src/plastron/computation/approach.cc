@@ -49,7 +49,7 @@ bool needs_parts(const LevelResult& level) {
   const Level& record = level.record;
   if (record.status == interrupted) return false;
   if (level.passes) return true;
-  if (!level.solution.discrete->has_finite_rotations()) return false;
+  if (!level.solution.discrete->depends_on_path()) return false;
   return record.has_jumped || record.has_lost_stiffness || (record.status != infeasible && record.status != solved);
 }
 

@@ -115,7 +115,7 @@ bool is_at_rest(const solution::Summary& summary) {
 void examine_stability(Result& result, Solution& solution) {
   result.stability.reset();
   const bool is_solved = result.status == contact::Status::solved || result.status == contact::Status::inaccurate;
-  if (!solution.discrete->has_finite_rotations() || !is_solved) return;
+  if (!solution.discrete->depends_on_path() || !is_solved) return;
   if (is_at_rest(result.summary)) {  // also where nothing holds it
     result.stability = {.margin = 1, .margin_without_weak_contact = 1};
     return;

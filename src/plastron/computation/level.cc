@@ -42,8 +42,8 @@ Found solved_linear(LevelRun& run, const LevelTask& task, const algebra::Vector*
 
 /// Solves the contact problem of the model, from the state of the shell and an expected zone; null if there is none.
 Found met(LevelRun& run, const LevelTask& task, const algebra::Vector* zone, bool detect_free_motions) {
-  return run.discrete().has_finite_rotations() ? solved_finite(run, zone)
-                                               : solved_linear(run, task, zone, detect_free_motions);
+  return run.discrete().has_increments() ? solved_finite(run, zone)
+                                         : solved_linear(run, task, zone, detect_free_motions);
 }
 
 /// Solves the contact problem with other lifts of bounds, from a solution's state and contact zone.
@@ -136,16 +136,12 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
   run.seconds.certificate = watch.lap();
   std::optional<estimation::Estimates> estimates;
   std::vector<double> values;
-  const bool is_finite = run.discrete().has_finite_rotations();
-  contact::BoxSolution duals;
-  if (is_finite && z.status == contact::Status::solved && (task.goals || !task.valued.empty()))
-    duals = run.prepare_duals(nodal);
-  if (task.goals && z.status == contact::Status::solved)
-    estimates = run.estimate(is_finite ? duals : z, nodal, verdict.summary);
   std::optional<double> buckling;
-  if (z.status == contact::Status::solved) {
-    if (!task.valued.empty()) values = run.values(is_finite ? duals : z, nodal, verdict.summary);
-    if (task.goals && !is_finite) buckling = run.buckling(z, nodal, verdict.summary);
+  if (z.status == contact::Status::solved && (task.goals || !task.valued.empty())) {
+    const contact::BoxSolution duals = run.prepare_duals(z, nodal);
+    if (task.goals) estimates = run.estimate(duals, nodal, verdict.summary);
+    if (!task.valued.empty()) values = run.values(duals, nodal, verdict.summary);
+    if (task.goals && run.discrete().has_linear_strains()) buckling = run.buckling(z, nodal, verdict.summary);
   }
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);

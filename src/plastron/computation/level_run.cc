@@ -35,11 +35,12 @@ contact::BoxSolution LevelRun::solve(const algebra::Vector* zone, bool detect_fr
   return z;
 }
 
-contact::BoxSolution LevelRun::prepare_duals(const solution::NodalSolution& nodal) {
+contact::BoxSolution LevelRun::prepare_duals(const contact::BoxSolution& z, const solution::NodalSolution& nodal) {
+  if (!discrete_->has_increments()) return z;
   Stopwatch watch;
-  last_ = std::make_unique<LinearAlgebra>(finite::hessian(*discrete_, nodal, discrete_->coordinates),
-                                          std::vector<char>{}, discrete_->space().layout->comm);
-  finite::ProblemAtSolution at = finite::problem_at(*discrete_, nodal, last_->A);
+  last_ = std::make_unique<LinearAlgebra>(finite::derivative_at(*discrete_, nodal), std::vector<char>{},
+                                          discrete_->space().layout->comm);
+  finite::ProblemAtSolution at = finite::problem_at(*discrete_, nodal, z, last_->A);
   last_->box.emplace(std::move(at.box));
   seconds.estimates += watch.lap();
   return std::move(at.z);

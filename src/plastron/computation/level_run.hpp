@@ -41,8 +41,8 @@ class LevelRun {
   /// Solves the contact problem of the present linearisation, starting from the expected zone; null if there is none.
   contact::BoxSolution solve(const algebra::Vector* zone, bool detect_free_motions);
 
-  /// Prepares dual problems at a solution with finite rotations.
-  contact::BoxSolution prepare_duals(const solution::NodalSolution& nodal);
+  /// Prepares dual problems at a solution: with increments, factor and problem of the last step are replaced by those at its end.
+  contact::BoxSolution prepare_duals(const contact::BoxSolution& z, const solution::NodalSolution& nodal);
 
   std::vector<double> values(const contact::BoxSolution& z, const solution::NodalSolution& nodal,
                              const solution::Summary& summary) const;

@@ -72,7 +72,7 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
   algebra::Vector continuous = y;
   space.continuity.apply(continuous);
   const algebra::Vector kept =
-      discrete.has_finite_rotations() ? with_kept_lengths(space, discrete.points, y) : algebra::Vector();
+      discrete.has_increments() ? with_kept_lengths(space, discrete.points, y) : algebra::Vector();
   double most = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(space.layout->owned); ++i) {
     const double e = discrete.points[i].thickness;
@@ -80,13 +80,13 @@ double space_error(const assembly::DiscreteShell& discrete, const algebra::Vecto
     double error = 0;
     if (space.continuity.constrains(i))
       error = length_of(as_length(here - node_values(continuous, i), e));
-    else if (discrete.has_finite_rotations())
+    else if (discrete.has_increments())
       error = length_of(as_length(here - node_values(kept, i), e)) + kink_jump(space, y, i);
     else if (!element::is_relaxed(discrete.tangency.formulation))
       // Also at kinks and bodies: bases span all of u, and r tangent to the shell.
       error = distance_from_span(coordinates.basis[i], 5, here, e);
     if (!(error <= most)) most = error;  // also for a NaN
-    if (!discrete.has_finite_rotations()) most = std::max(most, kink_error(space, y, i, e));
+    if (!discrete.has_increments()) most = std::max(most, kink_error(space, y, i, e));
   }
   for (std::size_t k = 0; k < space.bodies.size(); ++k) {
     const double error = solution::distance_from_body(discrete, k, y);
@@ -190,7 +190,7 @@ std::vector<CertificateLimit> membership_rows(const problem::Problem& problem, c
   if (discrete.state.control)
     rows.push_back({"control_error", "m", std::abs(finite::ControlledPoint(discrete).rest()), algebraic_part * length,
                     false, "the displacement that controls the loads has its value"});
-  if (discrete.has_finite_rotations())
+  if (discrete.has_increments())
     rows.push_back({"state_error", "m", state_error(discrete, solution.y), algebraic_part * length, false,
                     "with finite rotations the solution is the state at which gaps, places and bounds are taken"});
   if (discrete.tangency.formulation == element::Formulation::mixed)

@@ -94,8 +94,7 @@ bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
 
 GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  const auto reaches = assembly::reaches_of(
-      discrete.space(), discrete.has_finite_rotations() ? discrete.moved : discrete.points, discrete.obstacles.all);
+  const auto reaches = assembly::reaches_of(discrete.space(), discrete.present_points(), discrete.obstacles.all);
   const GapError mine =
       algebra::in_agreement<obstacle::ObstacleError>(comm, [&] { return gap_error_here(discrete, solution, reaches); });
   return {algebra::max_over_ranks(mine.at_contact, comm), algebra::max_over_ranks(mine.depth, comm)};

@@ -32,8 +32,10 @@ const Result& checked(const problem::Problem& problem, const Result& result) {
   if (problem.shell.tangency.formulation == element::Formulation::mixed) refuse("in the mixed formulation");
   if (!assembly::pressed_obstacles(discrete).empty()) refuse("where a force presses an obstacle");
   if (discrete.state.control) refuse("where the loads follow a displacement");
-  if (discrete.has_finite_rotations() && discrete.obstacles.on_bed()) refuse("on a bed with finite rotations");
-  if (discrete.has_finite_rotations()) return result;
+  if (discrete.has_increments()) {
+    if (discrete.obstacles.on_bed()) refuse("on a bed with finite rotations");
+    return result;
+  }
   if (discrete.state.is_deformed())
     refuse("for curved obstacles with small rotations, whose gaps are linearised at the solution");
   if (!result.solution->box.z.layout()) refuse("of a result that was loaded");
@@ -42,22 +44,8 @@ const Result& checked(const problem::Problem& problem, const Result& result) {
 
 std::unique_ptr<LinearAlgebra> tangent_of(const Solution& solution) {
   const assembly::DiscreteShell& discrete = *solution.discrete;
-  algebra::Matrix matrix = discrete.has_finite_rotations()
-                               ? finite::hessian(discrete, solution.nodal, discrete.coordinates)
-                               : assembly::stiffness_matrix(discrete);
-  return std::make_unique<LinearAlgebra>(std::move(matrix), std::vector<char>{}, discrete.space().layout->comm);
-}
-
-contact::BoxProblem box_of(const assembly::DiscreteShell& discrete, const solution::NodalSolution& nodal,
-                           const algebra::Matrix& matrix) {
-  return discrete.has_finite_rotations() ? finite::problem_at(discrete, nodal, matrix).box
-                                         : assembly::box_problem(discrete, matrix);
-}
-
-finite::ProblemAtSolution problem_at(const Solution& solution, const algebra::Matrix& matrix) {
-  const assembly::DiscreteShell& discrete = *solution.discrete;
-  if (discrete.has_finite_rotations()) return finite::problem_at(discrete, solution.nodal, matrix);
-  return {.box = assembly::box_problem(discrete, matrix), .z = solution.box};
+  return std::make_unique<LinearAlgebra>(finite::derivative_at(discrete, solution.nodal), std::vector<char>{},
+                                         discrete.space().layout->comm);
 }
 
 /// The largest |u| or thickness times |r| at a node of any rank [m].
@@ -176,7 +164,7 @@ Sensitivity::Sensitivity(const problem::Problem& problem, const Result& result)
       result_(checked(problem, result)),
       solution_(*result.solution),
       algebra_(tangent_of(solution_)),
-      at_solution_(problem_at(solution_, algebra_->A)),
+      at_solution_(finite::problem_at(*solution_.discrete, solution_.nodal, solution_.box, algebra_->A)),
       tangent_(at_solution_.box, at_solution_.z, algebra_->kept) {
   algebra_->kept.keep();
 }
@@ -204,13 +192,12 @@ Solution Sensitivity::near(const problem::Problem& changed) const {
   const double size = length_of(solution_.nodal.y, solved.points);
   Solution near{.discrete = discretised(changed), .nodal = {}};
   assembly::DiscreteShell& discrete = *near.discrete;
-  const bool is_finite = discrete.has_finite_rotations();
   contact::BoxSolution z = at_solution_.z;
   double last = INFINITY;
   for (int step = 0;; ++step) {
     const CoordinateChange change = changed_coordinates(solved, z, discrete);
     if (step == 0) change.apply(z.z);
-    auto found = tangent_.solve(rest_of(box_of(discrete, solution_.nodal, algebra_->A), z, change));
+    auto found = tangent_.solve(rest_of(finite::problem_at(discrete, solution_.nodal, z, algebra_->A).box, z, change));
     if (!found) refuse("where the linear equations cannot be solved");
     algebra::Vector& way = found->z;
     change.apply(way);
@@ -220,7 +207,7 @@ Solution Sensitivity::near(const problem::Problem& changed) const {
     const double length = length_of(motion, solved.points);
     if (!(length <= far * size) || step > most_steps)
       refuse("for so large a change of the case, or where the solution is nearly unstable");
-    if (is_finite) {
+    if (discrete.has_increments()) {
       assembly::State next = discrete.state;
       algebra::axpy(1, motion, next.displacement);
       next.displacement.update_ghosts();
@@ -232,8 +219,8 @@ Solution Sensitivity::near(const problem::Problem& changed) const {
     last = length;
   }
   z.z.update_ghosts();
-  near.nodal =
-      is_finite ? solution::nodal_solution(discrete, solution_.nodal.touching) : solution::nodal_solution(discrete, z);
+  near.nodal = discrete.has_increments() ? solution::nodal_solution(discrete, solution_.nodal.touching)
+                                         : solution::nodal_solution(discrete, z);
   return near;
 }
 

@@ -19,7 +19,7 @@ double growth(int newton_steps, const Pace& pace) {
 bool may_be_too_long(const LevelResult& level) {
   using enum contact::Status;
   const contact::Status status = level.record.status;
-  return level.solution.discrete->has_finite_rotations() && status != interrupted && status != infeasible &&
+  return level.solution.discrete->depends_on_path() && status != interrupted && status != infeasible &&
          status != not_finite && status != not_carried;
 }
 

@@ -1,5 +1,7 @@
 // Reads [[foundation]] and [[spring]].
+#include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
+#include <plastron/geometry/quotation.hpp>
 
 #include <Eigen/Geometry>
 
@@ -18,10 +20,8 @@ Section foundation_section() {
       "foundation",
       "[[foundation]]",
       "An elastic foundation under the surface or along a boundary, fixed to the shell: it resists the motion w = u + "
-      "z "
-      "r in both directions (an obstacle resists in one). Its forces are -k w per area of the undeformed mid-surface, "
-      "or "
-      "per length of the boundary. Several foundations add up.",
+      "z r in both directions (an obstacle resists in one). Its forces are -k w per area of the undeformed "
+      "mid-surface, or per length of the boundary. Several foundations add up.",
       {key("name", Kind::name, {}, "a name that no other foundation has; foundation-1, foundation-2, ... if not given"),
        key("region", Kind::name_or_names, {}, "one or several regions; if not given, the whole surface"),
        key("boundary", Kind::name_or_names, {},
@@ -47,19 +47,25 @@ Section spring_section() {
   return {
       "spring",
       "[[spring]]",
-      "A spring between a point of the mid-surface and a fixed place, with the forces -k u. A force at a point has a "
-      "singular displacement in this model: it grows with the logarithm of the mesh size, and so does the spring's.",
+      "A spring between a point of the mid-surface, or a rigid body, and a fixed place. At a point it has the forces "
+      "-k "
+      "u; a force at a point has a singular displacement in this model: it grows with the logarithm of the mesh size, "
+      "and so does the spring's. On a body it acts at the reference point, with the forces -k d and the moments -k "
+      "theta; with finite rotations theta is the rotation vector, shorter than half a turn.",
       {key("name", Kind::name, {}, "a name that no other spring has; spring-1, spring-2, ... if not given"),
-       key("point", Kind::place, {.required = true, .example = "[0.5, 0.5]"},
+       key("point", Kind::place, {.example = "[0.5, 0.5]"},
            "a point of the domain, or X, Y, Z: the nearest point of the mid-surface"),
+       key("body", Kind::name, {.example = "\"end plate\""}, "a rigid body"),
        key("stiffness", &Foundation::stiffness, &Table::field_vector,
-           {.kind = Kind::field_vector,
-            .unit = "N/m",
-            .required = true,
-            .range = {.low = 0},
-            .example = "[0, 0, 1000]"},
-           "stiffnesses along the three axes"),
-       axes_key("the three components of stiffness")}};
+           {.kind = Kind::field_vector, .unit = "N/m", .range = {.low = 0}, .example = "[0, 0, 1000]"},
+           "stiffnesses along the three axes; on a body numbers"),
+       key("rotation", &Foundation::rotation, &Table::field_vector,
+           {.kind = Kind::field_vector, .unit = "N m/rad", .range = {.low = 0}},
+           "stiffnesses of rotations of a body about the three axes, numbers"),
+       axes_key("the three components of stiffness and rotation")},
+      {"point", "body"},
+      "",
+      {{"rotation", "body"}}};
 }
 
 std::string read_own_name(Table& table, const std::vector<Foundation>& all, bool is_spring) {
@@ -96,6 +102,20 @@ void read_place(Table& table, const problem::Problem& problem, Foundation& found
       !(has_even_thickness(sections.common) &&
         std::ranges::all_of(sections.regions, [&](const auto& own) { return has_even_thickness(own.second); })))
     table.report_key("shear", "a shear layer at a face needs a constant thickness", "", "write at = \"middle\"");
+}
+
+/// Reads the body of a spring, on which stiffnesses are numbers.
+void read_body(Table& table, const problem::Problem& problem, Foundation& spring) {
+  spring.body = table.text("body").value_or("");
+  std::vector<std::string> names;
+  for (const fem::RigidBody& body : problem.rigid_bodies) names.push_back(body.name);
+  if (std::ranges::find(names, spring.body) == names.end())
+    table.report("body", fmt::format("there is no rigid body {}", geometry::shortened(spring.body)), joined(names),
+                 names.empty() ? "add a [[rigid_body]]" : did_you_mean(spring.body, names));
+  for (const auto& [name, values] :
+       {std::pair("stiffness", &spring.stiffness), std::pair("rotation", &spring.rotation)})
+    if (!std::ranges::all_of(*values, &geometry::Expression::is_constant))
+      table.report(name, "the stiffness of a spring on a rigid body depends on the place", "three numbers");
 }
 
 }  // namespace
@@ -147,9 +167,26 @@ void read_foundations(Table& root, problem::Problem& problem) {
     all.push_back(std::move(foundation));
   });
   root.in_tables("spring", [&](Table& table) {
-    Foundation spring{.name = read_own_name(table, all, true), .point = Eigen::Vector2d::Zero()};
+    Foundation spring{.name = read_own_name(table, all, true)};
     table.fill(spring);
     if (const auto axes = read_axes(table)) spring.axes = *axes;
+    if (!table.has("stiffness") && !table.has("rotation"))
+      table.report_here("[[spring]] has no stiffness", "stiffness; on a body also rotation",
+                        "add for example stiffness = [0, 0, 1000]");
+    if (table.has("body") == table.has("point"))
+      table.report_here(table.has("body") ? "[[spring]] has both point and body" : "[[spring]] has no place",
+                        "point, body",
+                        table.has("body") ? "write two [[spring]]" : "add for example point = [0.5, 0.5]");
+    if (table.has("rotation") && !table.has("body"))
+      table.report_key("rotation",
+                       "a spring at a point resists no rotation: a rotation at a point has no stiffness in this model",
+                       "", "give the point a rigid body, or use [[foundation]] at a face of a small region");
+    if (table.has("body")) {
+      read_body(table, problem, spring);
+      all.push_back(std::move(spring));
+      return;
+    }
+    spring.point = Eigen::Vector2d::Zero();
     if (const auto place = table.place("point")) {
       if (is_in_space(*place))
         spring.point_in_space = place->head<3>();

@@ -67,13 +67,12 @@ const std::vector<Limit>& limits() {
       {"springs",
        {"spring", "foundation", "foundations", "elastic-foundation", "elastic-support", "bed", "elastic-bed", "bedding",
         "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "join.stiffness",
-        "rigid_body.stiffness", "spring.body", "spring.rigid-body", "spring.boundary", "spring.rotation"},
-       "Springs act at points of the shell and foundations on areas and along edges, with stiffnesses that do not "
-       "change: no springs on rigid bodies, no springs of rotations, no joins with a stiffness, no bed that stiffens "
-       "as "
-       "it closes.",
+        "rigid_body.stiffness", "spring.rigid-body", "spring.boundary"},
+       "Springs act at points of the shell and on rigid bodies, foundations on areas and along edges, with stiffnesses "
+       "that do not change: no springs of rotations but those on bodies.",
        "`foundations`, `springs` and `obstacles` in `results.json` have forces and energies",
-       "`[[spring]]` at a point, `[[foundation]]` under an area or along an edge (also one that a rigid body carries), "
+       "`[[spring]]` at a point or on a `[[rigid_body]]`, `[[foundation]]` under an area or along an edge (also one "
+       "that a rigid body carries), "
        "or `bed` of an `[[obstacle]]`"},
       {"point-loads",
        {"point-load", "point-force", "point-forces", "nodal-load", "nodal-loads", "nodal-force", "nodal-forces",

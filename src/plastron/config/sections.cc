@@ -35,7 +35,7 @@ std::vector<Section> file_sections() {
             tables("support", "prescribed displacements and rotations"),
             tables("temperature", "temperatures"),
             tables("foundation", "elastic foundations"),
-            tables("spring", "springs at points"),
+            tables("spring", "springs at points and on rigid bodies"),
             tables("load", "dead loads"),
             table("gravity", "gravity, for the weight of the shell"),
             tables("obstacle", "rigid obstacles"),

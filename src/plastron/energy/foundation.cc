@@ -1,6 +1,7 @@
 #include <plastron/energy/foundation.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/energy/body_spring.hpp>
 #include <plastron/fem/cell_point.hpp>
 #include <plastron/mesh/basis.hpp>
 
@@ -233,8 +234,10 @@ class FoundationPieces {
 
 }  // namespace
 
-std::shared_ptr<const Term> foundation_term(const ShellOperator& shell, const Foundation& foundation) {
+std::shared_ptr<const Term> foundation_term(const ShellOperator& shell, const Foundation& foundation,
+                                            element::Rotations rotations) {
   const fem::Space& space = shell.space();
+  if (!foundation.body.empty()) return body_spring(space, foundation, rotations);
   const auto at = foundation.point ? fem::cell_point(space, *foundation.point) : std::nullopt;
   auto pieces = algebra::in_agreement<LoadError>(space.layout->comm, [&] {
     FoundationPieces all(shell, foundation);

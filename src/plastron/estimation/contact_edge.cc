@@ -31,8 +31,7 @@ element::BasisAt between_nodes(const fem::Space& space, int direction) {
 double opening(const assembly::DiscreteShell& discrete, const obstacle::Gap& gap, const auto& row,
                const Eigen::Vector3d& a3) {
   const Eigen::Vector3d r = row.template tail<3>();
-  return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) +
-         gap.arm * gap.normal.dot(discrete.has_finite_rotations() ? r : geometry::tangential(r, a3));
+  return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) + gap.arm * gap.normal.dot(discrete.turning(r, a3));
 }
 
 /// Lifts of bounds at points of a cell, interpolated from the nodes on which the cell depends.

@@ -26,7 +26,7 @@ Derivative derivative_of(const Energy& /*energy*/, const Solved& solved) {
   Derivative result = zero_derivative(solved);
   const assembly::DiscreteShell& discrete = solved.discrete;
   result.value = discrete.energies(solved.nodal.y).total();
-  if (discrete.has_finite_rotations() || discrete.shell.sections().have_initial_strains() ||
+  if (!discrete.has_linear_strains() || discrete.shell.sections().have_initial_strains() ||
       discrete.obstacles.on_bed()) {
     result.dual.load = dual_load(forces_of_energy(discrete, solved.nodal.y), solved);
     result.energy_part = -1;

@@ -54,12 +54,18 @@ std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> s
 std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, std::span<const Eigen::Vector3d> normals,
                                     std::span<const Eigen::Vector3d> directors, std::span<const BodyPlace> places);
 
+/// Returns the place to which the fields (u, r) = y have moved a body (collective).
+BodyPlace place_of(const Space& space, const PlacedBody& body, const algebra::Vector& y);
+/// Returns a body for small motions about its place. Its prescribed components are what remains to be moved.
+PlacedBody turned_body(PlacedBody body, const BodyPlace& place);
+
 /// d [m] and theta [rad].
 struct BodyMotion {
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero(), rotation = Eigen::Vector3d::Zero();
 };
-/// Returns the motion nearest to the displacements of the body's nodes, with prescribed components unchanged
-/// (collective).
+/// Returns the motion nearest to the displacements of the body's nodes; parts that these do not show are 0 (collective).
+BodyMotion fitted_motion(const Space& space, const PlacedBody& body, const algebra::Vector& y);
+/// Returns the same with prescribed components unchanged (collective).
 BodyMotion motion_of(const Space& space, const PlacedBody& body, const algebra::Vector& y);
 /// Adds nodal forces on owned nodes that do the work of the body's force and moment in each of its motions. Among all
 /// such forces they are the smallest.

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <map>
@@ -90,14 +91,13 @@ Vector6 given_load(const PlacedBody& placed) {
   return load;
 }
 
-/// The solution of gram x = load in the determined directions.
-Vector6 multipliers(const PlacedBody& placed) {
+/// The solution of gram x = right in the determined directions.
+Vector6 solved(const PlacedBody& placed, const Vector6& right) {
   const auto modes = geometry::symmetric_eigen(Eigen::MatrixXd(placed.gram));
-  const Vector6 load = given_load(placed);
   Vector6 x = Vector6::Zero();
   for (Eigen::Index k = 0; k < 6; ++k)
     if (modes.values[k] > no_motion * modes.values[5])
-      x += modes.vectors.col(k).dot(load) / modes.values[k] * modes.vectors.col(k);
+      x += modes.vectors.col(k).dot(right) / modes.values[k] * modes.vectors.col(k);
   return x;
 }
 
@@ -111,7 +111,7 @@ void check_determined(const PlacedBody& placed) {
                     "false they do not hold it; fix a rotation of it about that line, or leave rotations = true",
                     placed.body.name));
   const Vector6 load = given_load(placed);
-  if ((placed.gram * multipliers(placed) - load).norm() > 1e-8 * load.norm())
+  if ((placed.gram * solved(placed, load) - load).norm() > 1e-8 * load.norm())
     throw mesh::DomainError(
         fmt::format("the moment on the rigid body \"{}\" has a part about the line on which its nodes lie, and with "
                     "rotations = false they cannot carry it; leave that part out, for what is fixed there takes it all",
@@ -253,8 +253,30 @@ Vector3d remaining_rotation(const RigidBody& body, const Matrix3d& turn) {
   return geometry::rotation_vector(geometry::rotation_of(prescribed) * turn.transpose());
 }
 
+/// Returns the rotation nearest to a matrix; about axes that it leaves free, the smallest.
+Matrix3d nearest_rotation(const Matrix3d& matrix) {
+  constexpr double free = 1e-12;
+  const Eigen::JacobiSVD<Matrix3d> svd(matrix + free * matrix.norm() * Matrix3d::Identity(),
+                                       Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() > 0 ? 1 : -1;
+  return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+/// Returns sum of W' D y over the nodes of a body (collective).
+Vector6 moments_of(const Space& space, const PlacedBody& placed, const algebra::Vector& y) {
+  Vector6 sum = Vector6::Zero();
+  for (const auto& [node, motion] : placed.members)
+    if (node < space.layout->owned)
+      sum += weighted(motion, placed.length).transpose() *
+             Eigen::Map<const Vector6>(y.at(static_cast<std::size_t>(node)).data());
+  for (double& component : sum) component = algebra::sum_over_ranks(component, space.layout->comm);
+  return sum;
+}
+
+}  // namespace
+
 PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
-  placed.gram.setZero();
+  placed.gram = turned_block(place.turn, placed.gram);
   for (BodyNode& member : placed.members) member.motion = turned_block(place.turn, member.motion);
   const Vector3d rotation = remaining_rotation(placed.body, place.turn);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -264,7 +286,37 @@ PlacedBody turned_body(PlacedBody placed, const BodyPlace& place) {
   return placed;
 }
 
-}  // namespace
+BodyPlace place_of(const Space& space, const PlacedBody& placed, const algebra::Vector& y) {
+  struct {
+    double count = 0;
+    Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();
+    Matrix3d products = Matrix3d::Zero();
+  } sums;
+  for (const auto& [node, motion] : placed.members) {
+    if (node >= space.layout->owned) continue;
+    const Eigen::Map<const Vector6> moved(y.at(static_cast<std::size_t>(node)).data());
+    const Vector3d p = placed.length * turned_vector(motion.topRightCorner<3, 3>()), q = p + moved.head<3>();
+    sums.count += 1;
+    sums.from += p;
+    sums.to += q;
+    sums.products += q * p.transpose();
+    if (!placed.body.turns_normals) continue;
+    const Vector3d a3 = placed.length * turned_vector(motion.bottomRightCorner<3, 3>());
+    sums.products += placed.length * placed.length * (a3 + moved.tail<3>()) * a3.transpose();
+  }
+  const MPI_Comm comm = space.layout->comm;
+  sums.count = algebra::sum_over_ranks(sums.count, comm);
+  for (double& entry : sums.from) entry = algebra::sum_over_ranks(entry, comm);
+  for (double& entry : sums.to) entry = algebra::sum_over_ranks(entry, comm);
+  for (double& entry : sums.products.reshaped()) entry = algebra::sum_over_ranks(entry, comm);
+  const Matrix3d turn = nearest_rotation(sums.products - sums.to * sums.from.transpose() / sums.count);
+  return {.displacement = (sums.to - turn * sums.from) / sums.count, .turn = turn};
+}
+
+BodyMotion fitted_motion(const Space& space, const PlacedBody& placed, const algebra::Vector& y) {
+  const Vector6 motion = solved(placed, moments_of(space, placed, y));
+  return {motion.head<3>(), motion.tail<3>() / placed.length};
+}
 
 std::shared_ptr<const Space> with_part_of_motions(std::shared_ptr<const Space> space,
                                                   const std::function<double(const RigidBody&)>& part) {
@@ -285,10 +337,6 @@ std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, s
   std::vector<constraints::Row> rows = turned_kinks(*space, normals, directors);
   for (std::size_t k = 0; k < result->bodies.size(); ++k) {
     result->bodies[k] = turned_body(result->bodies[k], places[k]);
-    Matrix6& gram = result->bodies[k].gram;
-    for (const auto& [node, w] : result->bodies[k].members)
-      if (node < space->layout->owned) gram += w.transpose() * weighted(w, result->bodies[k].length);
-    for (double& entry : gram.reshaped()) entry = algebra::sum_over_ranks(entry, comm);
     add_body_rows(result->bodies[k], rows);
   }
   result->constraints = compose(space->continuity, constraints::Map(std::move(rows), comm), comm);
@@ -296,14 +344,7 @@ std::shared_ptr<const Space> turned(const std::shared_ptr<const Space>& space, s
 }
 
 BodyMotion motion_of(const Space& space, const PlacedBody& placed, const algebra::Vector& y) {
-  Vector6 sum = Vector6::Zero();
-  for (const auto& [node, motion] : placed.members) {
-    if (node >= space.layout->owned) continue;
-    const Eigen::Map<const Vector6> moved(y.local().data() + 6 * static_cast<std::size_t>(node));
-    sum += weighted(motion, placed.length).transpose() * moved;
-  }
-  for (double& component : sum) component = algebra::sum_over_ranks(component, space.layout->comm);
-  Vector6 motion = Vector6::Zero();
+  Vector6 sum = moments_of(space, placed, y), motion = Vector6::Zero();
   for (int k = 0; k < 6; ++k)
     if (const auto& value = placed.body.fixed[k]) motion[k] = k < 3 ? *value : placed.length * *value;
   sum -= placed.gram * motion;
@@ -315,7 +356,7 @@ BodyMotion motion_of(const Space& space, const PlacedBody& placed, const algebra
 }
 
 void add_body_load(const Space& space, const PlacedBody& placed, algebra::Vector& f) {
-  const Vector6 x = multipliers(placed);
+  const Vector6 x = solved(placed, given_load(placed));
   for (const auto& [node, motion] : placed.members) {
     if (node >= space.layout->owned) continue;
     Eigen::Map<Vector6>(f.local().data() + 6 * static_cast<std::size_t>(node)) += weighted(motion, placed.length) * x;

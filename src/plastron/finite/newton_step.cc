@@ -45,12 +45,11 @@ void for_reactions(const NodalCoordinates& coordinates, const contact::BoxSoluti
 StepStart start_after(const assembly::DiscreteShell& discrete, const NewtonStep& step) {
   const NodalCoordinates& coordinates = discrete.coordinates;
   const auto& layout = discrete.space().layout;
-  StepStart next{
-      .prestress = {.contact_forces = algebra::Vector(layout, 6), .forces_of_terms = algebra::Vector(layout, 6)},
-      .zone = algebra::Vector(layout, discrete.obstacle_block())};
+  StepStart next{.prestress = {.contact_forces = algebra::Vector(layout, 6),
+                               .forces_of_terms = forces_of_terms(discrete, after(discrete, step), false)},
+                 .zone = algebra::Vector(layout, discrete.obstacle_block())};
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     next.prestress.stresses.push_back(discrete.stresses(c, strains_after(discrete, step, c)));
-  add_forces_of_terms(discrete, after(discrete, step), next.prestress.forces_of_terms);
   for_reactions(coordinates, step.box, [&](const ContactRow& row, double force) {
     const auto k = static_cast<std::size_t>(row.obstacle);
     add_contact_force(force, coordinates.gaps[k][row.node], row.node, next.prestress.contact_forces);
@@ -124,7 +123,7 @@ bool has_no_minimiser(contact::Status status) {
 std::unique_ptr<assembly::DiscreteShell> with_finite_rotations(const assembly::DiscreteShell& discrete,
                                                                const solution::NodalSolution& solution) {
   auto result = std::make_unique<assembly::DiscreteShell>(discrete);
-  result->rotations = element::Rotations::finite;
+  result->set_rotations(element::Rotations::finite);
   assembly::State state = discrete.state;
   state.positions = discrete.positions();
   state.displacement = solution.y;
@@ -236,7 +235,8 @@ double largest_reaction(const assembly::DiscreteShell& discrete, const NewtonSte
 }
 
 ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
-                             const algebra::Matrix& matrix) {
+                             const contact::BoxSolution& solved, const algebra::Matrix& matrix) {
+  if (!discrete.has_increments()) return {.box = assembly::box_problem(discrete, matrix), .z = solved};
   const NodalCoordinates& coordinates = discrete.coordinates;
   ProblemAtSolution at{.box = increments(discrete, matrix),
                        .z = {.status = contact::Status::solved,

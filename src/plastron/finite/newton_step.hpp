@@ -57,14 +57,15 @@ struct StepTotals {
 /// Computes the totals, before the shell is linearised at the next state (collective).
 StepTotals totals_after(const assembly::DiscreteShell& discrete, const NewtonStep& step);
 
-/// Returns the contact problem of the last step at a solution, as dual problems need it: increments are 0, bounds act where
-/// nodes touch, multipliers are the reactions (collective). `matrix`: hessian() at the solution; it must outlive the result.
+/// Returns the contact problem at a solution with the derivative of its equations, as dual problems need it: increments are 0, bounds act
+/// where nodes touch, multipliers are the reactions. Where coordinates are those of (u, r), it is the problem of which `solved` is the
+/// solution (collective). `matrix`: derivative_at() the solution; it must outlive the result.
 struct ProblemAtSolution {
   contact::BoxProblem box;
   contact::BoxSolution z;
 };
 ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
-                             const algebra::Matrix& matrix);
+                             const contact::BoxSolution& solved, const algebra::Matrix& matrix);
 
 /// Returns the potential of dead loads and of the shell at its state, with `weight` [N] times the depth of nodes in obstacles: with
 /// a weight above all reactions its minima are those of the contact problem (collective) [J].

@@ -137,8 +137,8 @@ Prestress prestress(const assembly::DiscreteShell& discrete, const solution::Nod
   Prestress result;
   for (std::size_t c = 0; c < discrete.space().owned_cells; ++c)
     result.stresses.push_back(discrete.stresses(c, discrete.strains(c, solution.y)));
-  result.contact_forces = result.forces_of_terms = algebra::Vector(discrete.space().layout, 6);
-  add_forces_of_terms(discrete, solution.y, result.forces_of_terms);
+  result.contact_forces = algebra::Vector(discrete.space().layout, 6);
+  result.forces_of_terms = forces_of_terms(discrete, solution.y, false);
   for (const assembly::ContactRow& row : discrete.coordinates.rows) {
     const auto k = static_cast<std::size_t>(row.obstacle);
     add_contact_force(solution.pressure.at(row.node)[k] * discrete.points[row.node].weight,
@@ -161,7 +161,7 @@ algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
   algebra::Matrix matrix = assembly::sum_over_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
     return assembly::material_stiffness(discrete, coordinates, c, discrete.geometry(c));
   });
-  coordinates.add_bed_stiffness(matrix);
+  add_springs(discrete, coordinates, matrix);
   matrix.finish();
   return matrix;
 }
@@ -183,7 +183,7 @@ algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Pr
     k.matrix += stiffness_by_forces(discrete, prestress, coordinates, c, at).matrix;
     return k;
   });
-  coordinates.add_bed_stiffness(matrix);
+  add_springs(discrete, coordinates, matrix);
   matrix.finish();
   return matrix;
 }
@@ -200,7 +200,10 @@ void multiply_through_strains(const assembly::DiscreteShell& discrete, const alg
         return shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y), discrete.geometry(c)));
       },
       [&](std::size_t c) { return discrete.geometry(c); });
-  add_forces_of_terms(discrete, y, forces);
+  algebra::Vector of_terms(z.layout(), 6);
+  for (const auto& term : discrete.terms) term->add_product(shell, discrete.state.displacement, y, of_terms);
+  of_terms.accumulate_ghosts();
+  algebra::axpy(1, of_terms, forces);
   geometric.multiply(z, f);
   discrete.coordinates.add_transposed(forces, f);
   discrete.coordinates.add_bed_forces(z, f);
@@ -235,6 +238,10 @@ algebra::Matrix hessian(const assembly::DiscreteShell& discrete, const solution:
   algebra::Matrix matrix = tangent_matrix(discrete, prestress(discrete, solution), coordinates);
   add_curvature_of_obstacles(discrete, solution, matrix);
   return matrix;
+}
+
+algebra::Matrix derivative_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  return discrete.has_increments() ? hessian(discrete, solution, discrete.coordinates) : stiffness_matrix(discrete);
 }
 
 }  // namespace plastron::finite

@@ -19,7 +19,7 @@ using energy::CellStrain;
 struct Prestress {
   std::vector<CellStrain> stresses{};  ///< N, M, Q times area at the quadrature points of owned cells
   algebra::Vector contact_forces{};    ///< forces and couples of obstacles on owned nodes (block 6)
-  algebra::Vector forces_of_terms{};   ///< derivative of the terms of the potential, likewise
+  algebra::Vector forces_of_terms{};   ///< derivative of the terms that are not on rigid bodies, likewise
   bool is_exact =
       false;  ///< compressive N, and M, act at the points of their own strains: the derivative of the residual
 };
@@ -67,5 +67,9 @@ void add_curvature_of_obstacles(const assembly::DiscreteShell& discrete, const s
 /// ObstacleError.
 algebra::Matrix hessian(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
                         const assembly::NodalCoordinates& coordinates);
+
+/// Returns the matrix of the shell's own equations at a solution: hessian(), or stiffness_matrix() where these are linear (collective).
+/// Throws ObstacleError.
+algebra::Matrix derivative_at(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
 }  // namespace plastron::finite

@@ -1,7 +1,6 @@
 #include <plastron/solution/body_reactions.hpp>
 
 #include <plastron/fem/constraints.hpp>
-#include <plastron/geometry/rotation.hpp>
 
 #include <algorithm>
 
@@ -17,18 +16,6 @@ BodyVector in_lengths(const fem::PlacedBody& placed, const fem::BodyMotion& moti
   BodyVector q;
   q << motion.displacement, placed.length * motion.rotation;
   return q;
-}
-
-/// Returns the motion of a body since the start.
-fem::BodyMotion motion_of(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y) {
-  if (!discrete.has_finite_rotations()) {
-    const fem::Space& space = *discrete.coordinates.space;
-    return fem::motion_of(space, space.bodies[body], y);
-  }
-  const fem::BodyPlace& place = discrete.places[body];
-  const fem::RigidBody& description = discrete.space().bodies[body].body;
-  const Vector3d prescribed = discrete.state.factors.support(description.factor) * description.prescribed_rotation();
-  return {place.displacement, geometry::rotation_vector(place.turn, prescribed)};
 }
 
 /// Adds the unknowns whose nodes this rank owns. Returns their reactions, moments divided by the length; zero
@@ -82,21 +69,13 @@ double least_gap(const assembly::DiscreteShell& discrete, const fem::PlacedBody&
 double distance_from_body(const assembly::DiscreteShell& discrete, std::size_t body, const algebra::Vector& y) {
   const fem::Space& space = discrete.space();
   const fem::PlacedBody& placed = space.bodies[body];
-  const BodyVector q = in_lengths(placed, motion_of(discrete, body, y));
-  const auto carried = [&](const fem::BodyNode& member) -> BodyVector {
-    if (!discrete.has_finite_rotations()) return member.motion * q;
-    const assembly::NodalPoint& point = discrete.points[static_cast<std::size_t>(member.node)];
-    const fem::BodyPlace& place = discrete.places[body];
-    BodyVector motion;
-    motion << place.displacement + place.turn * (point.phi - placed.body.reference) - point.phi + placed.body.reference,
-        place.turn * point.a3 - point.a3;
-    return motion;
-  };
+  const fem::BodyMotion motion = discrete.body_motion(body, y);
+  const BodyVector q = in_lengths(placed, motion);
   double most = 0;
   for (const fem::BodyNode& member : placed.members) {
     if (member.node >= space.layout->owned) continue;
     const auto node = static_cast<std::size_t>(member.node);
-    BodyVector rest = node_values(y, node) - carried(member);
+    BodyVector rest = node_values(y, node) - discrete.carried(body, member, motion);
     if (!placed.body.turns_normals) rest.tail<3>().setZero();
     const double error = rest.head<3>().norm() + discrete.points[node].thickness * rest.tail<3>().norm();
     if (!(error <= most)) most = error;  // true also for NaN
@@ -118,7 +97,7 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
   space.constraints.apply_transposed(load);
   for (std::size_t k = 0; k < space.bodies.size(); ++k) {
     const fem::PlacedBody& placed = space.bodies[k];
-    const fem::BodyMotion motion = motion_of(discrete, k, y);
+    const fem::BodyMotion motion = discrete.body_motion(k, y);
     balance.bodies.push_back({.name = placed.body.name,
                               .reference = placed.body.reference,
                               .displacement = motion.displacement,
@@ -126,8 +105,7 @@ BodyBalance body_balance(const assembly::DiscreteShell& discrete, const algebra:
                               .least_gap = least_gap(discrete, placed, y)});
     BodyVector reactions = add_unknowns(discrete, placed, residual, load, balance);
     for (double& r : reactions) r = algebra::sum_over_ranks(r, space.layout->comm);
-    const Vector3d way = discrete.has_finite_rotations() ? motion.displacement : Vector3d(Vector3d::Zero());
-    add_reaction(placed, reactions, in_lengths(placed, motion), placed.body.reference + way, balance);
+    add_reaction(placed, reactions, in_lengths(placed, motion), discrete.reference_of_body(k), balance);
     if (std::ranges::any_of(placed.body.fixed, [](const auto& value) { return value.has_value(); }))
       balance.support_error = std::max(balance.support_error, distance_from_body(discrete, k, y));
   }

@@ -29,16 +29,11 @@ struct Sums {
   std::vector<NodalSupportForce> at_supports{};
 };
 
-/// Returns the angle between the normal and the director a_3 + r; |r| with small rotations [rad].
-double rotation_of(const assembly::DiscreteShell& discrete, const Vector3d& director, const Vector3d& r) {
-  return discrete.has_finite_rotations() ? 2 * std::asin(std::min(1.0, r.norm() / (2 * director.norm()))) : r.norm();
-}
-
 void note_size(const assembly::DiscreteShell& discrete, const assembly::NodalPoint& p, const Vector6& y, Sums& sums) {
   const double u = y.head<3>().norm();
   sums.displacement = std::max(sums.displacement, u);
   sums.relative_displacement = std::max(sums.relative_displacement, u / p.thickness);
-  sums.rotation = std::max(sums.rotation, rotation_of(discrete, p.a3, y.tail<3>()));
+  sums.rotation = std::max(sums.rotation, discrete.angle(p.a3, y.tail<3>()));
   sums.thickness = std::min(sums.thickness, p.thickness);
 }
 
@@ -245,7 +240,7 @@ Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& 
   add_totals(sums, comm, s);
   add_energies(discrete, solution, s);
   s.load_norms = load_norms(discrete, s.size);
-  if (!discrete.has_finite_rotations()) s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
+  if (discrete.has_linear_strains()) s.max_normal_rotation = max_normal_rotation(discrete, solution.y);
   s.edge = edge_contact(discrete, solution);
   s.is_admissible_wanted = discrete.state.is_admissible();
   if (s.is_admissible_wanted) s.largest_lift = algebra::max_abs(discrete.state.lifts);
@@ -262,8 +257,8 @@ Summary summarise(const assembly::DiscreteShell& discrete, const NodalSolution& 
 
 StrainScale strain_scale(const assembly::DiscreteShell& discrete, const algebra::Vector& y, double size) {
   StrainScale sum;
-  // Strains of finite rotations are differences of products of places, which round whether the shell has moved or not.
-  const double place = discrete.has_finite_rotations() ? size : 0;
+  // Strains that are not linear are differences of products of places, which round whether the shell has moved or not.
+  const double place = discrete.has_linear_strains() ? 0 : size;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const assembly::NodalPoint& p = discrete.points[i];
     const Vector6 moved = node_values(y, i);
