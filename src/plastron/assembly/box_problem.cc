@@ -107,6 +107,17 @@ constraints::NodeColumns material_stiffness(const DiscreteShell& discrete, const
   return k;
 }
 
+void add_stiffness_between_cells(const DiscreteShell& discrete, const NodalCoordinates& coordinates,
+                                 algebra::Matrix& matrix) {
+  const algebra::Vector reference{};
+  const algebra::Vector& state = discrete.has_finite_rotations() ? discrete.state.displacement : reference;
+  for (const auto& term : discrete.terms)
+    for (constraints::NodeColumns& own : term->stiffness_between_cells(discrete.shell, state)) {
+      const constraints::NodeColumns k = on_both_sides(coordinates, own.nodes, std::move(own.matrix));
+      matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
+    }
+}
+
 std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coordinates,
                                                     const RigidObstacles& obstacles, const State& state) {
   std::vector<contact::PressingForce> forces;
@@ -137,6 +148,7 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete) {
   algebra::Matrix matrix = sum_over_cells(shell.space(), coordinates.width, [&](std::size_t c) {
     return material_stiffness(discrete, coordinates, c, shell.geometry(c));
   });
+  add_stiffness_between_cells(discrete, coordinates, matrix);
   coordinates.add_bed_stiffness(matrix);
   matrix.finish();
   return matrix;

@@ -30,7 +30,7 @@ std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const al
 /// sources. It is not finished (collective).
 template <class OfCell>
 algebra::Matrix sum_over_cells(const fem::Space& space, int width, const OfCell& of_cell) {
-  algebra::Matrix matrix(space.layout, width, space.constraints.couplings(space.connectivity));
+  algebra::Matrix matrix(space.layout, width, space.couplings());
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const constraints::NodeColumns k = of_cell(c);
     matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
@@ -51,6 +51,10 @@ algebra::Matrix stiffness_matrix(const DiscreteShell& discrete);
 /// Returns the matrix of a cell's part of (M8) and of the terms in nodal coordinates, with the strains' derivative at a state.
 constraints::NodeColumns material_stiffness(const DiscreteShell& discrete, const NodalCoordinates& coordinates,
                                             std::size_t cell, const energy::CellGeometry& at);
+
+/// Adds the stiffness of terms between nodes of several cells at the state to a matrix in coordinates that is not finished.
+void add_stiffness_between_cells(const DiscreteShell& discrete, const NodalCoordinates& coordinates,
+                                 algebra::Matrix& matrix);
 
 /// Returns the forces of the obstacles in the order of pressed_obstacles().
 std::vector<contact::PressingForce> pressing_forces(const NodalCoordinates& coordinates,

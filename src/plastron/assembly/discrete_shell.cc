@@ -3,6 +3,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/deformed.hpp>
 #include <plastron/energy/follower_pressure.hpp>
+#include <plastron/energy/hinge.hpp>
 #include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/frame.hpp>
@@ -22,17 +23,6 @@ RigidObstacles RigidObstacles::standing(const State& state) const {
 
 namespace {
 
-/// Returns (phi, a_3) of the nodes; block 6.
-algebra::Vector places_and_directors(const fem::Space& space, const std::vector<NodalPoint>& points) {
-  algebra::Vector all(space.layout, 6);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Eigen::Map<Vector3d>{all.at(i).data()} = points[i].phi;
-    Eigen::Map<Vector3d>{all.at(i).data() + 3} = points[i].a3;
-  }
-  space.continuity.apply(all);
-  return all;
-}
-
 /// Returns the factor of the form of normal_rotation.hpp: 1/p (M13), rho (M14) or zero.
 double tangency_factor(const element::Tangency& tangency) {
   if (tangency.formulation == element::Formulation::penalised) return 1 / tangency.penalty;
@@ -49,25 +39,33 @@ std::unique_ptr<DiscreteShell> discretise(std::shared_ptr<const fem::Space> spac
   auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), description.sections);
   if (description.is_objective) shell.interpolate_reference(places_and_directors(shell.space(), points));
   auto loads = energy::load_parts(shell, description.loads);
-  energy::Terms terms;
-  if (const double factor = tangency_factor(description.tangency); factor > 0)
-    terms.push_back(energy::normal_rotation_term(factor));
   std::vector<std::pair<energy::Foundation, std::shared_ptr<const energy::Term>>> foundations;
-  for (const energy::Foundation& foundation : description.foundations) {
+  for (const energy::Foundation& foundation : description.foundations)
     foundations.emplace_back(foundation, energy::foundation_term(shell, foundation));
-    if (foundations.back().second) terms.push_back(foundations.back().second);
-  }
   auto discrete = std::make_unique<DiscreteShell>(DiscreteShell{.shell = std::move(shell),
                                                                 .points = std::move(points),
                                                                 .loads = std::move(loads),
-                                                                .terms = std::move(terms),
+                                                                .terms = {},
                                                                 .foundations = std::move(foundations),
                                                                 .obstacles_at_start = description.obstacles,
                                                                 .tangency = description.tangency,
                                                                 .all_supports = description.supports,
                                                                 .rotations = description.rotations});
+  discrete->terms = terms_of(*discrete);
   linearise(*discrete, std::move(state));
   return discrete;
+}
+
+energy::Terms terms_of(const DiscreteShell& discrete) {
+  energy::Terms terms;
+  if (const double factor = tangency_factor(discrete.tangency); factor > 0)
+    terms.push_back(energy::normal_rotation_term(factor));
+  for (const auto& [foundation, term] : discrete.foundations)
+    if (term) terms.push_back(term);
+  if (auto hinges = energy::hinge_term(discrete.space(), places_and_directors(discrete.space(), discrete.points),
+                                       discrete.rotations))
+    terms.push_back(std::move(hinges));
+  return terms;
 }
 
 namespace {
@@ -178,7 +176,11 @@ energy::Energies DiscreteShell::motion_energies(const algebra::Vector& y) const 
     return shell.strains(cell, shell.gather(cell, y), geometry(cell));
   })
                                                      : shell.energies(y);
-  energies.foundations = energy_of_terms(y, false);
+  algebra::Vector forces(y.layout(), 6);
+  for (const auto& term : terms)
+    if (!term->is_artificial()) term->add_product(shell, state.displacement, y, forces);
+  forces.accumulate_ghosts();
+  energies.foundations = algebra::dot(forces, y) / 2;
   return energies;
 }
 
@@ -258,6 +260,14 @@ void add_forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y
   if (discrete.terms.empty()) return;
   algebra::Vector own(f.layout(), 6);
   for (const auto& term : discrete.terms) term->add_forces(discrete.shell, y, own);
+  own.accumulate_ghosts();
+  algebra::axpy(1, own, f);
+}
+
+void add_product_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f) {
+  if (discrete.terms.empty()) return;
+  algebra::Vector own(f.layout(), 6);
+  for (const auto& term : discrete.terms) term->add_product(discrete.shell, discrete.state.displacement, y, own);
   own.accumulate_ghosts();
   algebra::axpy(1, own, f);
 }

@@ -80,7 +80,7 @@ struct DiscreteShell {
   /// Returns a point of the shell after a motion (u, r). With small rotations r . a_3 moves no face.
   obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                    const Vector6& motion) const;
-  /// Returns 1/2 y . K y of the artificial terms, or of the others (collective) [J].
+  /// Returns the energy of the artificial terms, or of the others (collective) [J].
   double energy_of_terms(const algebra::Vector& y, bool are_artificial) const;
   /// Computes f = A y through strains, including all terms. Needs y's ghosts (collective).
   /// Precondition: small rotations.
@@ -122,8 +122,13 @@ algebra::Vector forces_of_stresses(const energy::ShellOperator& shell, const Str
   return f;
 }
 
+/// Returns the terms of the potential in the formulation of the shell, with small or finite rotations (collective).
+energy::Terms terms_of(const DiscreteShell& discrete);
+
 /// Adds the forces of all terms at y to f, complete on owned nodes (collective).
 void add_forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f);
+/// Adds their derivative at the state along a motion y in the same way (collective).
+void add_product_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f);
 
 /// Returns the derivative of the potential without loads at (u, r) = y, like forces_of_stresses() (collective).
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);

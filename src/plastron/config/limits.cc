@@ -66,15 +66,14 @@ const std::vector<Limit>& limits() {
        "a general program"},
       {"springs",
        {"spring", "foundation", "foundations", "elastic-foundation", "elastic-support", "bed", "elastic-bed", "bedding",
-        "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "join.stiffness",
-        "rigid_body.stiffness", "spring.body", "spring.rigid-body", "spring.boundary", "spring.rotation"},
+        "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "rigid_body.stiffness",
+        "spring.body", "spring.rigid-body", "spring.boundary", "spring.rotation"},
        "Springs act at points of the shell and foundations on areas and along edges, with stiffnesses that do not "
-       "change: no springs on rigid bodies, no springs of rotations, no joins with a stiffness, no bed that stiffens "
-       "as "
-       "it closes.",
+       "change: no springs on rigid bodies, no springs of rotations but those of hinges, no bed that stiffens as it "
+       "closes.",
        "`foundations`, `springs` and `obstacles` in `results.json` have forces and energies",
        "`[[spring]]` at a point, `[[foundation]]` under an area or along an edge (also one that a rigid body carries), "
-       "or `bed` of an `[[obstacle]]`"},
+       "`bed` of an `[[obstacle]]`, or `stiffness` of a `[[join]]`"},
       {"point-loads",
        {"point-load", "point-force", "point-forces", "nodal-load", "nodal-loads", "nodal-force", "nodal-forces",
         "concentrated-load", "concentrated-loads", "concentrated-force", "concentrated-forces", ".force", ".forces",

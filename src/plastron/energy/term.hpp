@@ -1,6 +1,8 @@
-// A part of the potential beside the strain energy of the shell (M31): a quadratic form of the nodal values y = (u, r). Its energy, its
-// forces and its stiffness have the same names in all terms; the discrete shell adds them up and names none of them.
+// A part of the potential beside the strain energy of the shell (M31), a function of the nodal values y = (u, r); most are quadratic
+// forms. Its energy, its forces and its stiffness have the same names in all terms; the discrete shell adds them up and names none of
+// them.
 #pragma once
+#include <plastron/constraints/map.hpp>
 #include <plastron/energy/shell_operator.hpp>
 
 #include <memory>
@@ -18,13 +20,25 @@ class Term {
 
   /// Whether the term belongs to the formulation, such as a penalty, and stores no energy of the shell or of its surroundings.
   virtual bool is_artificial() const { return false; }
-  /// Returns 1/2 y . K y. Needs y's ghosts (collective) [J].
+  /// Returns the energy, 1/2 y . K y of a quadratic form. Needs y's ghosts (collective) [J].
   virtual double energy(const ShellOperator& shell, const algebra::Vector& y) const = 0;
-  /// Adds the derivative of the energy, K y, of this rank's cells to f's local values. Needs y's ghosts. f.accumulate_ghosts() then
-  /// completes the sum.
+  /// Adds the derivative of the energy, K y of a quadratic form, of this rank's cells to f's local values. Needs y's ghosts.
+  /// f.accumulate_ghosts() then completes the sum.
   virtual void add_forces(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& f) const = 0;
+  /// Adds the derivative of the forces at `state` along a motion, in the same way. A quadratic form does not read the state.
+  virtual void add_product(const ShellOperator& shell, const algebra::Vector& state, const algebra::Vector& motion,
+                           algebra::Vector& f) const {
+    (void)state;
+    add_forces(shell, motion, f);
+  }
   /// Returns K of an owned cell, on (u, r) of its nodes; nothing where the term does not act.
   virtual std::optional<RowMatrix> stiffness(const ShellOperator& shell, std::size_t cell) const = 0;
+  /// Returns the rest of K at `state`: matrices on (u, r) of nodes of several cells, which Space::couplings() contains.
+  virtual std::vector<constraints::NodeColumns> stiffness_between_cells(const ShellOperator& shell,
+                                                                        const algebra::Vector& state) const {
+    (void)shell, (void)state;
+    return {};
+  }
 };
 
 using Terms = std::vector<std::shared_ptr<const Term>>;

@@ -125,6 +125,7 @@ std::unique_ptr<assembly::DiscreteShell> with_finite_rotations(const assembly::D
                                                                const solution::NodalSolution& solution) {
   auto result = std::make_unique<assembly::DiscreteShell>(discrete);
   result->rotations = element::Rotations::finite;
+  result->terms = terms_of(*result);
   assembly::State state = discrete.state;
   state.positions = discrete.positions();
   state.displacement = solution.y;

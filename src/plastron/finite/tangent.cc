@@ -161,6 +161,7 @@ algebra::Matrix material_matrix(const assembly::DiscreteShell& discrete,
   algebra::Matrix matrix = assembly::sum_over_cells(*coordinates.space, coordinates.width, [&](std::size_t c) {
     return assembly::material_stiffness(discrete, coordinates, c, discrete.geometry(c));
   });
+  add_stiffness_between_cells(discrete, coordinates, matrix);
   coordinates.add_bed_stiffness(matrix);
   matrix.finish();
   return matrix;
@@ -183,6 +184,7 @@ algebra::Matrix tangent_matrix(const assembly::DiscreteShell& discrete, const Pr
     k.matrix += stiffness_by_forces(discrete, prestress, coordinates, c, at).matrix;
     return k;
   });
+  add_stiffness_between_cells(discrete, coordinates, matrix);
   coordinates.add_bed_stiffness(matrix);
   matrix.finish();
   return matrix;
@@ -200,7 +202,7 @@ void multiply_through_strains(const assembly::DiscreteShell& discrete, const alg
         return shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y), discrete.geometry(c)));
       },
       [&](std::size_t c) { return discrete.geometry(c); });
-  add_forces_of_terms(discrete, y, forces);
+  add_product_of_terms(discrete, y, forces);
   geometric.multiply(z, f);
   discrete.coordinates.add_transposed(forces, f);
   discrete.coordinates.add_bed_forces(z, f);
