@@ -176,6 +176,10 @@ energy::Energies DiscreteShell::motion_energies(const algebra::Vector& y) const 
     return shell.strains(cell, shell.gather(cell, y), geometry(cell));
   })
                                                      : shell.energies(y);
+  if (!has_finite_rotations()) {
+    energies.foundations = energy_of_terms(y, false);
+    return energies;
+  }
   algebra::Vector forces(y.layout(), 6);
   for (const auto& term : terms)
     if (!term->is_artificial()) term->add_product(shell, state.displacement, y, forces);
