@@ -26,17 +26,15 @@ class Term {
   /// f.accumulate_ghosts() then completes the sum.
   virtual void add_forces(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& f) const = 0;
   /// Adds the derivative of the forces at `state` along a motion, in the same way. A quadratic form does not read the state.
-  virtual void add_product(const ShellOperator& shell, const algebra::Vector& state, const algebra::Vector& motion,
+  virtual void add_product(const ShellOperator& shell, const algebra::Vector& /*state*/, const algebra::Vector& motion,
                            algebra::Vector& f) const {
-    (void)state;
     add_forces(shell, motion, f);
   }
   /// Returns K of an owned cell, on (u, r) of its nodes; nothing where the term does not act.
   virtual std::optional<RowMatrix> stiffness(const ShellOperator& shell, std::size_t cell) const = 0;
   /// Returns the rest of K at `state`: matrices on (u, r) of nodes of several cells, which Space::couplings() contains.
-  virtual std::vector<constraints::NodeColumns> stiffness_between_cells(const ShellOperator& shell,
-                                                                        const algebra::Vector& state) const {
-    (void)shell, (void)state;
+  virtual std::vector<constraints::NodeColumns> stiffness_between_cells(const ShellOperator& /*shell*/,
+                                                                        const algebra::Vector& /*state*/) const {
     return {};
   }
 };
