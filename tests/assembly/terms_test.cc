@@ -4,11 +4,13 @@
 
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/energy/foundation.hpp>
+#include <plastron/energy/hinge.hpp>
 #include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/rotation.hpp>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <random>
@@ -59,6 +61,29 @@ energy::ShellOperator operator_on(const test::MeshedSurface& m, bool is_covarian
           is_covariant};
 }
 
+/// Returns z . K y of the matrices of a term.
+double product_by_matrices(const energy::Term& term, const energy::ShellOperator& shell, const algebra::Vector& state,
+                           const algebra::Vector& y, const algebra::Vector& z, const std::string& what) {
+  double sum = 0;
+  const auto add = [&](const auto& k, const auto& of_y, const auto& of_z) {
+    EXPECT_LT((k - k.transpose()).cwiseAbs().maxCoeff(), 1e-13 * k.cwiseAbs().maxCoeff()) << what;
+    sum += Eigen::Map<const Eigen::VectorXd>(of_z.data(), of_z.size())
+               .dot(k * Eigen::Map<const Eigen::VectorXd>(of_y.data(), of_y.size()));
+  };
+  for (std::size_t c = 0; c < shell.space().owned_cells; ++c)
+    if (const auto k = term.stiffness(shell, c)) add(*k, shell.gather(c, y), shell.gather(c, z));
+  for (const constraints::NodeColumns& k : term.stiffness_between_cells(shell, state)) {
+    const auto values = [&](const algebra::Vector& v) {
+      element::CellField field(static_cast<Eigen::Index>(k.nodes.size()), 6);
+      for (std::size_t i = 0; i < k.nodes.size(); ++i)
+        field.row(static_cast<Eigen::Index>(i)) = node_values(v, static_cast<std::size_t>(k.nodes[i])).transpose();
+      return field;
+    };
+    add(k.matrix, values(y), values(z));
+  }
+  return algebra::sum_over_ranks(sum, shell.space().layout->comm);
+}
+
 void expect_consistent(const energy::Term& term, const energy::ShellOperator& shell, const std::string& what) {
   const algebra::Vector y = random_motion(shell.space(), 1), z = random_motion(shell.space(), 2);
   algebra::Vector f(y.layout(), 6);
@@ -71,16 +96,7 @@ void expect_consistent(const energy::Term& term, const energy::ShellOperator& sh
   // The energy is quadratic: central differences of any length are exact.
   EXPECT_NEAR((term.energy(shell, moved(y, 0.5, z)) - term.energy(shell, moved(y, -0.5, z))), work, 1e-11 * scale)
       << what;
-  double by_matrices = 0;
-  for (std::size_t c = 0; c < shell.space().owned_cells; ++c) {
-    const auto k = term.stiffness(shell, c);
-    if (!k) continue;
-    EXPECT_LT((*k - k->transpose()).cwiseAbs().maxCoeff(), 1e-13 * k->cwiseAbs().maxCoeff()) << what;
-    const element::CellField of_y = shell.gather(c, y), of_z = shell.gather(c, z);
-    by_matrices += Eigen::Map<const Eigen::VectorXd>(of_z.data(), of_z.size())
-                       .dot(*k * Eigen::Map<const Eigen::VectorXd>(of_y.data(), of_y.size()));
-  }
-  EXPECT_NEAR(algebra::sum_over_ranks(by_matrices, shell.space().layout->comm), work, 1e-11 * scale) << what;
+  EXPECT_NEAR(product_by_matrices(term, shell, {}, y, z, what), work, 1e-11 * scale) << what;
 }
 
 TEST(Terms, HaveForcesAndStiffnessThatAreDerivativesOfTheirEnergy) {
@@ -203,6 +219,91 @@ TEST(BodySpring, HasForcesAndStiffnessThatAreDerivativesOfItsEnergy) {
       q << v, space->bodies[0].length * w;
       EXPECT_NEAR(q.dot(*stiffness * q), second, 1e-5 * (1 + second)) << angle;
     }
+}
+
+/// A loop whose ends meet at a right angle along a curved edge, joined by a hinge; or a tube that a hinge closes.
+test::MeshedSurface with_hinge(int degree, mesh::Shape shape, bool is_tube) {
+  auto m = is_tube ? test::meshed(domain::Rectangle{.to = {2 * M_PI, 1}, .cells = {6, 1}}, {"cos(x)", "sin(x)", "y"},
+                                  degree, 0, shape)
+                   : test::meshed(domain::Rectangle{.to = {M_PI, 1}, .cells = {6, 1}},
+                                  {"sin(2*x)/2 + 0.1*y^2", "sin(x)", "y"}, degree, 0, shape);
+  m.space = fem::joined(m.space, *m.surface, {{.boundaries = {"left", "right"}, .is_hinge = true, .stiffness = 3}});
+  return m;
+}
+
+struct Hinged {
+  test::MeshedSurface m;
+  energy::ShellOperator shell = operator_on(m);
+  std::vector<NodalPoint> points = nodal_geometry(*m.space, *m.surface, shell.tables(), shell.sections());
+
+  std::shared_ptr<const energy::Term> term(element::Rotations rotations) const {
+    return energy::hinge_term(*m.space, places_and_directors(*m.space, points), rotations);
+  }
+};
+
+/// Degree, shape and whether it is the tube.
+std::vector<std::tuple<int, mesh::Shape, bool>> hinged_shells() {
+  return {{1, test::quadrilateral, false}, {3, test::quadrilateral, false}, {2, test::triangle, false},
+          {1, test::quadrilateral, true},  {3, test::quadrilateral, true},  {2, test::triangle, true}};
+}
+
+TEST(Hinge, OfSmallRotationsIsConsistent) {
+  for (const auto& [degree, shape, is_tube] : hinged_shells()) {
+    const Hinged hinged{with_hinge(degree, shape, is_tube)};
+    expect_consistent(*hinged.term(element::Rotations::small), hinged.shell, "hinge");
+  }
+}
+
+/// The derivative at 0 of a smooth function, of fourth order.
+template <class Function>
+double slope(const Function& at) {
+  const double step = 2e-3;
+  return (8 * (at(step) - at(-step)) - (at(2 * step) - at(-2 * step))) / (12 * step);
+}
+
+TEST(Hinge, OfFiniteRotationsHasForcesAndStiffnessThatAreDerivatives) {
+  for (const auto& [degree, shape, is_tube] : hinged_shells()) {
+    const Hinged hinged{with_hinge(degree, shape, is_tube)};
+    const energy::ShellOperator& shell = hinged.shell;
+    const auto term = hinged.term(element::Rotations::finite);
+    const algebra::Vector y = random_motion(shell.space(), 1, 0.1), z = random_motion(shell.space(), 2, 0.1),
+                          w = random_motion(shell.space(), 3, 0.1);
+    const auto work = [&](const algebra::Vector& state, const algebra::Vector& motion) {
+      algebra::Vector f(y.layout(), 6);
+      term->add_forces(shell, state, f);
+      f.accumulate_ghosts();
+      return algebra::dot(f, motion);
+    };
+    const auto product = [&](const algebra::Vector& one, const algebra::Vector& other) {
+      algebra::Vector f(y.layout(), 6);
+      term->add_product(shell, y, one, f);
+      f.accumulate_ghosts();
+      return algebra::dot(f, other);
+    };
+    const double scale = term->energy(shell, y);
+    ASSERT_GT(scale, 0);
+    EXPECT_NEAR(slope([&](double t) { return term->energy(shell, moved(y, t, z)); }), work(y, z), 1e-6 * scale);
+    EXPECT_NEAR(slope([&](double t) { return work(moved(y, t, z), w); }), product(z, w), 1e-6 * scale);
+    EXPECT_NEAR(product(w, z), product(z, w), 1e-11 * scale);
+    EXPECT_NEAR(product_by_matrices(*term, shell, y, z, w, "hinge"), product(z, w), 1e-11 * scale);
+  }
+}
+
+TEST(Hinge, CostsNothingInRigidMotions) {
+  for (const auto& [degree, shape, is_tube] : hinged_shells()) {
+    const Hinged hinged{with_hinge(degree, shape, is_tube)};
+    const auto small = hinged.term(element::Rotations::small), finite = hinged.term(element::Rotations::finite);
+    const Eigen::Vector3d c(1, 2, 3), axis = Eigen::Vector3d(1, 2, 2) / 3;
+    EXPECT_LT(small->energy(hinged.shell, test::rigid_motion(*hinged.m.space, hinged.points, c, axis)), 1e-26);
+    const Eigen::Matrix3d change = Eigen::AngleAxisd(2.5, axis).toRotationMatrix() - Eigen::Matrix3d::Identity();
+    algebra::Vector y(hinged.m.space->layout, 6);
+    for (std::size_t i = 0; i < hinged.points.size(); ++i) {
+      Eigen::Map<Eigen::Vector3d>{y.at(i).data()} = c + change * hinged.points[i].phi;
+      Eigen::Map<Eigen::Vector3d>{y.at(i).data() + 3} = change * hinged.points[i].a3;
+    }
+    EXPECT_LT(finite->energy(hinged.shell, y), 1e-26);
+    EXPECT_GT(finite->energy(hinged.shell, random_motion(*hinged.m.space, 1, 0.1)), 1e-3);
+  }
 }
 
 /// A shell with all kinds of terms, heated.

@@ -181,6 +181,22 @@ TEST(Obstacle, HasAUnitNormal) {
   EXPECT_TRUE(parsed().problem.shell.obstacles.empty());
 }
 
+TEST(Joins, AreHingesIfTheySaySoOrHaveAStiffness) {
+  const auto join = [](const std::string& more) {
+    return parse_case(shell_section +
+                          "[geometry]\ndomain = { rectangle = { to = [2, 1] } }\nchart = [\"x\", \"y\", \"0\"]\n"
+                          "[[join]]\nboundaries = [\"left\", \"right\"]\n" +
+                          more,
+                      "case.toml")
+        .problem.joins.at(0);
+  };
+  EXPECT_FALSE(join("").is_hinge);
+  EXPECT_TRUE(join("hinge = true\n").is_hinge);
+  EXPECT_EQ(join("hinge = true\n").stiffness, 0);
+  EXPECT_TRUE(join("stiffness = 3\n").is_hinge);
+  EXPECT_EQ(join("stiffness = 3\n").stiffness, 3);
+}
+
 TEST(MeshAndSolver, TakeWhatTheyAreGiven) {
   const auto problem = parsed(
                            "[mesh]\ndegree = 4\ntying = false\nrefinements = \"2+1\"\n[solver]\nmax_iterations = 7\n"

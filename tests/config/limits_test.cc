@@ -65,7 +65,7 @@ TEST(UnknownWord, OfSpringsFrictionPointLoadsAndCasesNamesTheLimitAndWhatToDo) {
         "subgrade"},
        {"[shell] foundation", "[shell] bed", "[[support]] spring", "[[support]] stiffness", "[[support]] elastic",
         "[[obstacle]] spring", "[[obstacle]] stiffness", "[[spring]] body", "[[spring]] rigid_body",
-        "[[spring]] boundary", "[[join]] stiffness", "[[rigid_body]] stiffness", "[[rigid_body]] spring"},
+        "[[spring]] boundary", "[[rigid_body]] stiffness", "[[rigid_body]] spring"},
        "`[[spring]]` at a point"},
       {"temperature", {"thermal", "heat"}, {"[shell] temperature", "[[load]] temperature"}, "`[[temperature]]`"},
       {"load-cases", {"load_case", "load_cases", "loadcases", "combinations"}, {}, "`[[case]]` and `[[envelope]]`"},

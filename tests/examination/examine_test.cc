@@ -383,6 +383,26 @@ TEST(FreeRigidMotions, of_joined_parts_are_those_of_one_shell) {
   EXPECT_THAT(errors(free_plate()), SizeIs(6));
 }
 
+TEST(FreeRigidMotions, of_parts_at_a_hinge_are_those_against_each_other) {
+  problem::Problem p = two_squares();
+  p.joins = {{.boundaries = {"seam_a", "seam_b"}, .is_hinge = true}};
+  p.shell.supports = {clamped("west")};
+  const auto turns = AllOf(HasSubstr("a hinge lets"), HasSubstr("rotation about the axis (0, 1, 0) through (1, "));
+  EXPECT_THAT(errors(p), ElementsAre(turns));
+  p.charts.at("second") = Chart({"1", "y", "x - 2"}, {});
+  EXPECT_THAT(errors(p), ElementsAre(turns));
+  p.joins[0].stiffness = 1e-9;
+  EXPECT_THAT(errors(p), IsEmpty());
+  p.joins[0].stiffness = 0;
+  p.shell.foundations = {{.regions = {"second"}, .tangential = Expression(1.0)}};
+  EXPECT_THAT(errors(p), ElementsAre(turns));
+  p.shell.foundations = {{.regions = {"second"}, .normal = Expression(1.0)}};
+  EXPECT_THAT(errors(p), IsEmpty());
+  p.shell.foundations.clear();
+  p.shell.supports.push_back(held("east", {Direction::x}));
+  EXPECT_THAT(errors(p), IsEmpty());
+}
+
 TEST(FreeRigidMotions, of_parts_that_only_the_obstacle_can_stop_depend_on_the_loads_of_each_part) {
   problem::Problem p = two_squares();
   for (const char* side : {"west", "east"}) p.shell.supports.push_back(held(side, {Direction::x, Direction::y}));

@@ -30,7 +30,7 @@ std::vector<char> multiplier_zeros(const NodalCoordinates& coordinates, const al
 /// sources. It is not finished (collective).
 template <class OfCell>
 algebra::Matrix sum_over_cells(const fem::Space& space, int width, const OfCell& of_cell) {
-  algebra::Matrix matrix(space.layout, width, space.constraints.couplings(space.connectivity));
+  algebra::Matrix matrix(space.layout, width, space.couplings());
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const constraints::NodeColumns k = of_cell(c);
     matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});

@@ -91,7 +91,7 @@ NodeSupport all_fixed(const NodalPoint& point, const NodeSupport& support, bool 
 }
 
 /// Returns coordinates with u and a part of r fixed at zero: u follows from another node, and the kink leaves the rest
-/// of r.
+/// of r. A hinge leaves all of it but r . a_3.
 NodeCoordinates kinked_coordinates(const constraints::Row& row, const NodalPoint& point, const NodeSupport& support,
                                    double size) {
   NodeSupport all;
@@ -100,7 +100,9 @@ NodeCoordinates kinked_coordinates(const constraints::Row& row, const NodalPoint
   const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - row.own().bottomRightCorner<3, 3>();
   for (const Vector3d& direction : orthonormal_range(rest)) all.rotation.emplace_back(direction, 0);
   all.rotation.insert(all.rotation.end(), support.rotation.begin(), support.rotation.end());
-  return node_coordinates(point, all, {}, {}, Vector6::Zero(), size);
+  NodeCoordinates coordinates = node_coordinates(point, all, {}, {}, Vector6::Zero(), size);
+  coordinates.lower[5] = coordinates.upper[5] = 0;
+  return coordinates;
 }
 
 NodeCoordinates body_coordinates(const fem::PlacedBody& placed, const fem::BodyNode& member, const NodalPoint& point,

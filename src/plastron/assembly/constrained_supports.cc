@@ -48,13 +48,13 @@ class MovedRows {
 /// Two rotations at a kinked node: its own one about the direction across the edge, and the one about the edge, which
 /// it shares with the other node.
 struct KinkFrame {
-  KinkFrame(const constraints::Row& row, const Vector3d& a3) {
+  KinkFrame(const constraints::Row& row, const constraints::Term& turning, const Vector3d& a3) {
     const Eigen::Matrix3d own = row.own().bottomRightCorner<3, 3>() - a3 * a3.transpose();
     Eigen::Index largest = 0;
     own.colwise().norm().maxCoeff(&largest);
     along = own.col(largest).normalized();
     across = a3.cross(along);
-    of_other = row.terms[0].block->bottomRightCorner<3, 3>().transpose() * across;
+    of_other = turning.block->bottomRightCorner<3, 3>().transpose() * across;
   }
   Vector3d along, across, of_other;
 };
@@ -66,12 +66,19 @@ struct KinkFrame {
       point.x[0], point.x[1], why));
 }
 
-/// Splits the rows on r of a kinked node: keeps those on its own rotation, returns rows on the other node's rotation.
-SupportRows split_rotation(const constraints::Row& row, const NodalPoint& point, NodeSupport& support) {
+/// Returns the terms of the other nodes with which a kinked node turns; none if all its kinks are hinges.
+std::vector<constraints::Term> turning_terms(const constraints::Row& row) {
+  std::vector<constraints::Term> turning;
+  for (const constraints::Term& term : row.terms)
+    if (term.node != row.node && !term.block->bottomRightCorner<3, 3>().isZero(0)) turning.push_back(term);
+  return turning;
+}
+
+/// Splits the rows on r of a kinked node: keeps those on its own rotation, returns rows on the rotation of the other node.
+SupportRows split_rotation(const constraints::Row& row, const constraints::Term& turning, const NodalPoint& point,
+                           NodeSupport& support) {
   constexpr double parallel_part = 1e-6;
-  if (support.rotation.empty()) return {};
-  if (row.terms.size() > 2) refuse_rotation(point, "several of them");
-  const KinkFrame frame(row, point.a3);
+  const KinkFrame frame(row, turning, point.a3);
   Eigen::MatrixX2d rows(static_cast<Eigen::Index>(support.rotation.size()), 2);
   Eigen::VectorXd values(rows.rows());
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
@@ -120,10 +127,14 @@ void move_across_kinks(const fem::Space& space, const std::vector<NodalPoint>& p
       if (kink.node >= layout.owned) continue;
       const auto node = static_cast<std::size_t>(kink.node);
       NodeSupport& own = supports[node];
-      const auto other = layout.global(kink.terms[0].node);
-      moved.add(other, false, own.displacement, own.displacement_scale);
-      moved.add(other, true, split_rotation(*space.constraints.find(node), points[node], own), own.rotation_scale);
+      moved.add(layout.global(kink.terms[0].node), false, own.displacement, own.displacement_scale);
       own.displacement.clear();
+      const constraints::Row& row = *space.constraints.find(node);
+      const auto turning = turning_terms(row);
+      if (own.rotation.empty() || turning.empty()) continue;
+      if (turning.size() > 1) refuse_rotation(points[node], "several of them");
+      moved.add(layout.global(turning[0].node), true, split_rotation(row, turning[0], points[node], own),
+                own.rotation_scale);
     }
   });
   moved.deliver(layout, supports);

@@ -3,6 +3,7 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/assembly/deformed.hpp>
 #include <plastron/energy/follower_pressure.hpp>
+#include <plastron/energy/hinge.hpp>
 #include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/rotation.hpp>
@@ -24,17 +25,6 @@ RigidObstacles RigidObstacles::standing(const State& state) const {
 }
 
 namespace {
-
-/// Returns (phi, a_3) of the nodes; block 6.
-algebra::Vector places_and_directors(const fem::Space& space, const std::vector<NodalPoint>& points) {
-  algebra::Vector all(space.layout, 6);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Eigen::Map<Vector3d>{all.at(i).data()} = points[i].phi;
-    Eigen::Map<Vector3d>{all.at(i).data() + 3} = points[i].a3;
-  }
-  space.continuity.apply(all);
-  return all;
-}
 
 /// Returns the factor of the form of normal_rotation.hpp: 1/p (M13), rho (M14) or zero.
 double tangency_factor(const element::Tangency& tangency) {
@@ -140,6 +130,8 @@ void DiscreteShell::set_rotations(element::Rotations model) {
     term = energy::foundation_term(shell, foundation, rotations);
     if (term) terms.push_back(term);
   }
+  if (auto hinges = energy::hinge_term(space(), places_and_directors(space(), points), rotations))
+    terms.push_back(std::move(hinges));
 }
 
 std::optional<element::CellField> DiscreteShell::linearised_at(FieldKind kind, std::size_t cell,
@@ -304,6 +296,11 @@ algebra::Vector forces_of_terms(const DiscreteShell& discrete, const algebra::Ve
 
 void add_springs(const DiscreteShell& discrete, const NodalCoordinates& coordinates, algebra::Matrix& matrix) {
   coordinates.add_bed_stiffness(matrix);
+  for (const auto& term : discrete.terms)
+    for (constraints::NodeColumns& own : term->stiffness_between_cells(discrete.shell, discrete.state.displacement)) {
+      const constraints::NodeColumns k = on_both_sides(coordinates, own.nodes, std::move(own.matrix));
+      matrix.add(k.nodes, {k.matrix.data(), static_cast<std::size_t>(k.matrix.size())});
+    }
   const fem::Space& space = *coordinates.space;
   for (std::size_t k = 0; k < space.bodies.size(); ++k)
     for (const auto& term : discrete.terms) {
@@ -318,6 +315,13 @@ void add_springs(const DiscreteShell& discrete, const NodalCoordinates& coordina
         matrix.add({&host, 1}, {block.data(), static_cast<std::size_t>(block.size())});
       }
     }
+}
+
+void add_product_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f) {
+  algebra::Vector own(f.layout(), 6);
+  for (const auto& term : discrete.terms) term->add_product(discrete.shell, discrete.state.displacement, y, own);
+  own.accumulate_ghosts();
+  algebra::axpy(1, own, f);
 }
 
 algebra::Vector loads_and_initial_forces(const DiscreteShell& discrete) {

@@ -105,7 +105,7 @@ struct DiscreteShell {
   /// Returns a point of the shell after a motion (u, r). With small rotations r . a_3 moves no face.
   obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,
                                    const Vector6& motion) const;
-  /// Returns 1/2 y . K y of the artificial terms, or of the others (collective) [J].
+  /// Returns the energy of the artificial terms, or of the others (collective) [J].
   double energy_of_terms(const algebra::Vector& y, bool are_artificial) const;
   /// Computes f = A y through strains, including all terms. Needs y's ghosts (collective).
   /// Precondition: small rotations.
@@ -150,8 +150,10 @@ algebra::Vector forces_of_stresses(const energy::ShellOperator& shell, const Str
 /// Returns the forces at y of the terms on rigid bodies, or of the others, complete on owned nodes (collective).
 algebra::Vector forces_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, bool are_on_bodies);
 
-/// Adds the stiffness of beds and of springs on rigid bodies at the state to a matrix that is not finished (collective).
+/// Adds the stiffness of beds, hinges and springs on rigid bodies at the state to a matrix that is not finished (collective).
 void add_springs(const DiscreteShell& discrete, const NodalCoordinates& coordinates, algebra::Matrix& matrix);
+/// Adds the derivative of the forces of all terms at the state along a motion y, complete on owned nodes (collective).
+void add_product_of_terms(const DiscreteShell& discrete, const algebra::Vector& y, algebra::Vector& f);
 
 /// Returns the derivative of the potential without loads at (u, r) = y, like forces_of_stresses() (collective).
 algebra::Vector forces_of_energy(const DiscreteShell& discrete, const algebra::Vector& y);

@@ -108,6 +108,16 @@ std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surfa
   return points;
 }
 
+algebra::Vector places_and_directors(const fem::Space& space, const std::vector<NodalPoint>& points) {
+  algebra::Vector all(space.layout, 6);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Eigen::Map<Eigen::Vector3d>{all.at(i).data()} = points[i].phi;
+    Eigen::Map<Eigen::Vector3d>{all.at(i).data() + 3} = points[i].a3;
+  }
+  space.continuity.apply(all);
+  return all;
+}
+
 std::vector<obstacle::Reach> reaches_of(const fem::Space& space, const std::vector<NodalPoint>& points,
                                         const std::vector<obstacle::Obstacle>& obstacles) {
   if (std::ranges::none_of(obstacles, &obstacle::Obstacle::has_edges)) return {};

@@ -29,6 +29,9 @@ struct NodalPoint {
 std::vector<NodalPoint> nodal_geometry(const fem::Space& space, const fem::Surface& surface,
                                        const element::ElementTables& tables, const energy::CrossSections& sections);
 
+/// Returns (phi, a_3) of the nodes, equal where nodes are equal (block 6).
+algebra::Vector places_and_directors(const fem::Space& space, const std::vector<NodalPoint>& points);
+
 /// Returns the reaches of all local nodes, from the nodes of the cells around them. Empty if no obstacle has edges (collective).
 std::vector<obstacle::Reach> reaches_of(const fem::Space& space, const std::vector<NodalPoint>& points,
                                         const std::vector<obstacle::Obstacle>& obstacles);

@@ -66,14 +66,13 @@ const std::vector<Limit>& limits() {
        "a general program"},
       {"springs",
        {"spring", "foundation", "foundations", "elastic-foundation", "elastic-support", "bed", "elastic-bed", "bedding",
-        "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "join.stiffness",
-        "rigid_body.stiffness", "spring.rigid-body", "spring.boundary"},
+        "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "rigid_body.stiffness",
+        "spring.rigid-body", "spring.boundary"},
        "Springs act at points of the shell and on rigid bodies, foundations on areas and along edges, with stiffnesses "
-       "that do not change: no springs of rotations but those on bodies.",
+       "that do not change, and hinges with a stiffness between joined edges: no other springs of rotations.",
        "`foundations`, `springs` and `obstacles` in `results.json` have forces and energies",
        "`[[spring]]` at a point or on a `[[rigid_body]]`, `[[foundation]]` under an area or along an edge (also one "
-       "that a rigid body carries), "
-       "or `bed` of an `[[obstacle]]`"},
+       "that a rigid body carries), `stiffness` of a `[[join]]`, or `bed` of an `[[obstacle]]`"},
       {"point-loads",
        {"point-load", "point-force", "point-forces", "nodal-load", "nodal-loads", "nodal-force", "nodal-forces",
         "concentrated-load", "concentrated-loads", "concentrated-force", "concentrated-forces", ".force", ".forces",

@@ -30,7 +30,7 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 
 struct Energies {
   double membrane = 0, bending = 0, shear = 0;  ///< [J]
-  double foundations = 0;                       ///< what carries the shell elastically [J]
+  double foundations = 0;                       ///< of what carries the shell elastically, and of hinges [J]
   double total() const { return membrane + bending + shear + foundations; }
 };
 

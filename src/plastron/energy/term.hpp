@@ -1,6 +1,7 @@
 // A part of the potential beside the strain energy of the shell (M31): a function of the nodal values y = (u, r), most often a quadratic
 // form. Its energy, its forces and its stiffness have the same names in all terms; the discrete shell adds them up and names none of them.
 #pragma once
+#include <plastron/constraints/map.hpp>
 #include <plastron/energy/shell_operator.hpp>
 
 #include <memory>
@@ -32,6 +33,11 @@ class Term {
   }
   /// Returns K of an owned cell, on (u, r) of its nodes; nothing where the term does not act.
   virtual std::optional<RowMatrix> stiffness(const ShellOperator& shell, std::size_t cell) const = 0;
+  /// Returns the rest of K at a state: matrices on (u, r) of nodes of several cells, which Space::couplings() contains.
+  virtual std::vector<constraints::NodeColumns> stiffness_between_cells(const ShellOperator& /*shell*/,
+                                                                        const algebra::Vector& /*state*/) const {
+    return {};
+  }
   /// Returns K on (d, length theta) of a rigid body at a state; nothing where the term does not act (collective).
   virtual std::optional<constraints::Matrix6> stiffness_of_body(const ShellOperator& /*shell*/, std::size_t /*body*/,
                                                                 const algebra::Vector& /*state*/) const {

@@ -1,5 +1,6 @@
 // Checks rigid motions that the supports leave free. Nothing resists some of them. The obstacle may fix others if the
 // loads press the shell onto it; this is decided here.
+#include <plastron/energy/hinge.hpp>
 #include <plastron/energy/load_vector.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/examination/rigid_motions.hpp>
@@ -32,6 +33,15 @@ class Carried {
 
   FreeMotions free_motions(const RigidMotions& motions, const ShellPart& part, const ExaminedNodes& nodes) const {
     return free_rigid_motions(motions, part, nodes.coordinates, shell_, terms_);
+  }
+  std::vector<RigidMotion> hinge_motions(const ShellPart& part, const std::vector<ShellPart>& pieces,
+                                         const ExaminedNodes& nodes) const {
+    fem::Space space = shell_.space();
+    for (fem::HingeSide& hinge : space.hinges) hinge.stiffness = 1;
+    energy::Terms terms = terms_;
+    if (auto hinges = energy::hinge_term(space, places_and_directors(space, nodes.points), element::Rotations::small))
+      terms.push_back(std::move(hinges));
+    return free_hinge_motions(RigidMotions(part.points), pieces, nodes.coordinates, shell_, terms);
   }
   /// The work of loads on rigid motions, to which initial strains do not contribute.
   algebra::Vector load() const {
@@ -294,6 +304,26 @@ std::vector<Situation> situations(const problem::Problem& problem) {
   return all;
 }
 
+/// Checks the motions that hinges leave to the pieces of a part.
+void check_hinges(Examined& examined, const ExaminedNodes& nodes, const Carried& carried, const ShellPart& part) {
+  std::vector<ShellPart> pieces = parts_of(*examined.space, nodes.points, false);
+  std::erase_if(pieces,
+                [&](const ShellPart& piece) { return !std::ranges::binary_search(part.nodes, piece.nodes.front()); });
+  if (pieces.size() < 2) return;
+  const RigidMotions motions(part.points);
+  const std::vector<RigidMotion> free = carried.hinge_motions(part, pieces, nodes);
+  const bool is_at_rest = !free.empty() && vibrates_at_rest(examined, carried.load());
+  for (const RigidMotion& motion : free)
+    if (is_at_rest)
+      examined.add(Severity::note, "nothing holds the motion at a hinge: {}; its natural frequency is 0",
+                   motions.in_words(motion));
+    else
+      examined.add(Severity::error,
+                   "a hinge lets the shells that it joins move against each other: {}; fix more components, or give "
+                   "the hinge a stiffness",
+                   motions.in_words(motion));
+}
+
 void check_situation(Examined& examined, const ExaminedNodes& nodes, const energy::Factors& factors) {
   const std::vector<ShellPart> parts = parts_of(*examined.space, nodes.points);
   const Carried carried(examined, factors);
@@ -301,6 +331,7 @@ void check_situation(Examined& examined, const ExaminedNodes& nodes, const energ
     check_one_part(examined, nodes, carried, parts.front());
   else
     check_parts(examined, nodes, carried, parts);
+  for (const ShellPart& part : parts) check_hinges(examined, nodes, carried, part);
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ MatrixXd kernel(const MatrixXd& gram) {
 
 }  // namespace
 
-std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assembly::NodalPoint>& points) {
+std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assembly::NodalPoint>& points,
+                                bool through_hinges) {
   topology::DisjointSets sets(points.size());
   const auto unite = [&](algebra::LocalIndex i, algebra::LocalIndex j) {
     sets.unite(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
@@ -38,7 +39,8 @@ std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assem
   for (std::size_t c = 0; c < space.cells.size(); ++c)
     for (const algebra::LocalIndex node : space.nodes(c)) unite(space.nodes(c)[0], node);
   for (const constraints::Row& row : space.constraints.rows())
-    for (const constraints::Term& term : row.terms) unite(row.node, term.node);
+    for (const constraints::Term& term : row.terms)
+      if (through_hinges || !term.block || !term.block->bottomRightCorner<3, 3>().isZero(0)) unite(row.node, term.node);
   for (const fem::PlacedBody& placed : space.bodies)
     for (const fem::BodyNode& member : placed.members) unite(placed.members.front().node, member.node);
 
@@ -89,19 +91,22 @@ Matrix6 RigidMotions::fixed_by(const fem::RigidBody& body) const {
   return gram;
 }
 
+algebra::Vector RigidMotions::forces_of(const energy::Term& term, const energy::ShellOperator& shell,
+                                        const ShellPart& part, int k) const {
+  algebra::Vector motion(shell.space().layout, 6), forces = motion;
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    RigidMotion moved = at(part.points[i]).col(k);
+    moved.tail<3>() /= size_;
+    std::ranges::copy(moved, motion.at(part.nodes[i]).begin());
+  }
+  term.add_forces(shell, motion, forces);
+  return forces;
+}
+
 Matrix6 RigidMotions::stiffness_of(const energy::Term& term, const energy::ShellOperator& shell,
                                    const ShellPart& part) const {
   Matrix6 all = Matrix6::Zero();
-  for (int k = 0; k < 6; ++k) {
-    algebra::Vector motion(shell.space().layout, 6), forces = motion;
-    for (std::size_t i = 0; i < part.nodes.size(); ++i) {
-      RigidMotion moved = at(part.points[i]).col(k);
-      moved.tail<3>() /= size_;
-      std::ranges::copy(moved, motion.at(part.nodes[i]).begin());
-    }
-    term.add_forces(shell, motion, forces);
-    all.col(k) = work(part, forces.local());
-  }
+  for (int k = 0; k < 6; ++k) all.col(k) = work(part, forces_of(term, shell, part, k).local());
   const double largest = all.diagonal().maxCoeff();
   return largest > 0 ? Matrix6(all / largest) : all;
 }

@@ -21,8 +21,10 @@ struct ShellPart {
   std::vector<const fem::PlacedBody*> bodies{};  ///< that carry some of these nodes
 };
 
-/// Returns the parts, by their first nodes. Cells are connected by common nodes, joined edges, folds and rigid bodies.
-std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assembly::NodalPoint>& points);
+/// Returns the parts, by their first nodes. Cells are connected by common nodes, joined edges, folds, rigid bodies and, if wished,
+/// hinges.
+std::vector<ShellPart> parts_of(const fem::Space& space, const std::vector<assembly::NodalPoint>& points,
+                                bool through_hinges = true);
 
 class RigidMotions {
  public:
@@ -34,6 +36,9 @@ class RigidMotions {
   RigidMotion gap_change(const assembly::NodalPoint& point, const obstacle::Gap& gap) const;
   /// Returns the Gram matrix of a rigid body's prescribed components as functionals of the motions.
   Eigen::Matrix<double, 6, 6> fixed_by(const fem::RigidBody& body) const;
+  /// Returns the forces of a term of the potential for the motion of the part with coefficient k = 1, at all nodes of the mesh.
+  algebra::Vector forces_of(const energy::Term& term, const energy::ShellOperator& shell, const ShellPart& part,
+                            int k) const;
   /// Returns v' K w for the motions v, w of the part and a term of the potential, as a part of the largest one.
   Eigen::Matrix<double, 6, 6> stiffness_of(const energy::Term& term, const energy::ShellOperator& shell,
                                            const ShellPart& part) const;
@@ -67,6 +72,12 @@ struct FreeMotions {
 FreeMotions free_rigid_motions(const RigidMotions& motions, const ShellPart& part,
                                const assembly::NodalCoordinates& coordinates, const energy::ShellOperator& shell,
                                const energy::Terms& terms);
+
+/// Returns the motions of pieces against each other at hinges that nothing resists, neither terms nor contact. `pieces`: those of one
+/// part without its hinges; `motions`: those of the part.
+std::vector<RigidMotion> free_hinge_motions(const RigidMotions& motions, const std::vector<ShellPart>& pieces,
+                                            const assembly::NodalCoordinates& coordinates,
+                                            const energy::ShellOperator& shell, const energy::Terms& terms);
 
 /// Returns the columns of a basis in reduced echelon form, which shows pure translations and rotations.
 std::vector<RigidMotion> readable(const Eigen::MatrixXd& basis);

@@ -25,6 +25,8 @@ void constrain_hanging_nodes(Space& space, const std::vector<HangingNode>& owned
 /// pieces with separate charts form one shell.
 struct Join {
   std::array<std::string, 2> boundaries;
+  bool is_hinge = false;  ///< each side has a rotation of its own
+  double stiffness = 0;   ///< of the hinge: moment per length and angle [N]
 };
 /// Returns the space in which the nodes on joined edges equal one node of each place (collective). Throws
 /// DomainError on all ranks if a boundary does not exist, if a node has no partner at the same place, or if normals
@@ -34,7 +36,8 @@ struct Join {
 /// x a_3i. A shell's rotation does not contain the part of omega along its own normal. Therefore two shells share only
 /// omega . t, t the edge's tangent:
 ///   u_2 = u_1,   r_2 . (t x a_32) = r_1 . (t x a_31).
-/// The node of the second shell follows from the node of the first and keeps r_2 . t as its own coordinate.
+/// The node of the second shell follows from the node of the first and keeps r_2 . t as its own coordinate. At a hinge it
+/// keeps all of r_2, also where the normals are equal.
 std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Surface& surface,
                                     const std::vector<Join>& joins);
 

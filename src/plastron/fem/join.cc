@@ -4,6 +4,7 @@
 #include <plastron/fem/constraints.hpp>
 #include <plastron/fem/kinks.hpp>
 #include <plastron/geometry/frame.hpp>
+#include <plastron/mesh/reference_cell.hpp>
 
 #include <fmt/format.h>
 #include <Eigen/Core>
@@ -48,10 +49,18 @@ class Classes {
   std::map<GlobalIndex, GlobalIndex> parent_;
 };
 
+/// A hinge with a stiffness. `partners`: nodes of the first edge by those of the second one, which is `boundary`.
+struct Hinge {
+  int boundary = 0;
+  double stiffness = 0;
+  std::map<GlobalIndex, GlobalIndex> partners{};
+};
+
 /// Relations between the nodes of joined edges.
 struct JoinedEdges {
   Classes same{};
   std::vector<Kink> kinks{};
+  std::vector<Hinge> hinges{};
 };
 
 void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>, 2>& sides, JoinedEdges& edges) {
@@ -76,10 +85,11 @@ void unite_partners(const Join& join, const std::array<std::vector<BoundaryNode>
           "the edges \"{}\" and \"{}\" cannot be joined: at ({:.6g}, {:.6g}, {:.6g}) a_3 points to opposite sides; "
           "exchange x and y in one of the charts",
           first, second, node.place[0], node.place[1], node.place[2]));
-    if ((partner.normal - node.normal).norm() <= same_normal)
+    if (!join.is_hinge && (partner.normal - node.normal).norm() <= same_normal)
       edges.same.unite(node.node, partner.node);
     else
-      edges.kinks.push_back({{partner, node}});
+      edges.kinks.push_back({{partner, node}, join.is_hinge});
+    if (join.stiffness > 0) edges.hinges.back().partners[node.node] = partner.node;
   }
 }
 
@@ -141,7 +151,41 @@ void add_joined_rows(const Classes& same, const std::map<GlobalIndex, KinkedNode
   space.constraints = compose(space.continuity, constraints::Map(std::move(at_kinks), after.comm), after.comm);
 }
 
+void add_hinges(const JoinedEdges& edges, Space& space) {
+  for (const Hinge& hinge : edges.hinges)
+    for (const BoundarySide& side : space.sides) {
+      if (side.boundary != hinge.boundary || side.cell >= space.owned_cells) continue;
+      HingeSide& added =
+          space.hinges.emplace_back(HingeSide{.cell = side.cell, .side = side.side, .stiffness = hinge.stiffness});
+      for (const int node : mesh::side_nodes(space.shape(), space.degree, side.side))
+        added.partners.push_back(edges.same.representative(
+            hinge.partners.at(space.layout->global(space.nodes(side.cell)[static_cast<std::size_t>(node)]))));
+    }
+}
+
 }  // namespace
+
+std::vector<LocalIndex> Space::nodes(const HingeSide& hinge) const {
+  std::vector<LocalIndex> all;
+  for (const int node : mesh::side_nodes(shape(), degree, hinge.side))
+    all.push_back(nodes(hinge.cell)[static_cast<std::size_t>(node)]);
+  for (const GlobalIndex partner : hinge.partners) all.push_back(layout->local(partner));
+  return all;
+}
+
+algebra::Connectivity Space::couplings() const {
+  algebra::Connectivity all = constraints.couplings(connectivity);
+  if (hinges.empty()) return all;
+  if (all.start.empty())
+    for (std::size_t e = 0, end = all.elements(); e <= end; ++e)
+      all.start.push_back(e * static_cast<std::size_t>(all.nodes_per_element));
+  for (const HingeSide& hinge : hinges) {
+    const std::vector<LocalIndex> sources = constraints.sources(nodes(hinge));
+    all.nodes.insert(all.nodes.end(), sources.begin(), sources.end());
+    all.start.push_back(all.nodes.size());
+  }
+  return all;
+}
 
 std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Surface& surface,
                                     const std::vector<Join>& joins) {
@@ -154,6 +198,7 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
       const int boundary = boundary_index(*space->coarse, join.boundaries[k], "an edge of a join");
       boundaries.insert(boundary);
       sides[k] = nodes_on(*space, surface, boundary);
+      if (k == 1 && join.stiffness > 0) edges.hinges.push_back({.boundary = boundary, .stiffness = join.stiffness});
     }
     unite_partners(join, sides, edges);
   }
@@ -161,7 +206,10 @@ std::shared_ptr<const Space> joined(std::shared_ptr<const Space> space, const Su
   auto result = std::make_shared<Space>(*space);
   for (Kink& kink : edges.kinks)
     for (BoundaryNode& node : kink.nodes) node.node = edges.same.representative(node.node);
+  // A hinge may end inside a sheet.
+  std::erase_if(edges.kinks, [](const Kink& kink) { return kink.nodes[0].node == kink.nodes[1].node; });
   add_joined_rows(edges.same, expressed(edges.kinks).nodes, *result);
+  add_hinges(edges, *result);
   // The shell does not end at joined edges.
   for (BoundarySide& side : result->sides)
     if (boundaries.contains(side.boundary)) side.is_inner = true;

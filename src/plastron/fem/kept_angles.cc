@@ -29,9 +29,15 @@ double sine_between(const Vector3d& a, const Vector3d& b) { return a.normalized(
 /// A node at a kink that follows the node that decides u.
 struct Follower {
   std::size_t node;
-  std::vector<std::size_t> turns_with;  ///< other nodes in its row, without those that change its r little; one or two
+  /// Other nodes in its row, without those that change its r little; one or two, none if all its kinks are hinges.
+  std::vector<std::size_t> turns_with;
   Vector3d along;  ///< axis about which it turns with another; zero where it has no rotation of its own
 };
+
+/// Whether the rotation of a node at a kink depends on the node that decides its u. Hinges separate the others.
+bool turns_with_deciding(const constraints::Row& row) {
+  return !row.terms.front().block->bottomRightCorner<3, 3>().isZero(0);
+}
 
 /// Reads a follower from its row in the undeformed space. The first node of the row decides u.
 Follower follower_of(const constraints::Row& row, const Vector3d& normal) {
@@ -49,7 +55,7 @@ Follower follower_of(const constraints::Row& row, const Vector3d& normal) {
         term.block->bottomRightCorner<3, 3>().norm() > little)
       follower.turns_with.push_back(other);
   }
-  if (follower.turns_with.size() < most) follower.turns_with.push_back(decides);
+  if (follower.turns_with.size() < most && turns_with_deciding(row)) follower.turns_with.push_back(decides);
   return follower;
 }
 
@@ -114,8 +120,9 @@ std::vector<KeptAngle> kept_angles(const Space& space, std::span<const Vector3d>
   std::map<LocalIndex, std::vector<Follower>> groups;
   for (const constraints::Row& kink : space.kinks.rows()) {
     const auto node = static_cast<std::size_t>(kink.node);
-    if (!space.continuity.constrains(node))
-      groups[kink.terms.front().node].push_back(follower_of(*space.constraints.find(node), normals[node]));
+    if (space.continuity.constrains(node)) continue;
+    Follower follower = follower_of(*space.constraints.find(node), normals[node]);
+    if (!follower.turns_with.empty()) groups[kink.terms.front().node].push_back(std::move(follower));
   }
   std::vector<KeptAngle> pairs;
   for (auto& [decides, group] : groups) {
@@ -148,12 +155,17 @@ Vector3d turned_axis(const KeptAngle& pair, std::span<const Vector3d> normals, s
 ExpressedKinks expressed_at(const Space& space, const std::vector<KeptAngle>& pairs, std::span<const Vector3d> normals,
                             std::span<const Vector3d> directors) {
   std::vector<Kink> kinks;
+  const auto node_at = [&](std::size_t node, const Vector3d& axis) {
+    return BoundaryNode{space.layout->global(static_cast<LocalIndex>(node)), Vector3d::Zero(), directors[node], axis};
+  };
   for (const KeptAngle& pair : pairs) {
     const Vector3d axis = turned_axis(pair, normals, directors);
-    const auto node_at = [&](std::size_t node) {
-      return BoundaryNode{space.layout->global(static_cast<LocalIndex>(node)), Vector3d::Zero(), directors[node], axis};
-    };
-    kinks.push_back({{node_at(pair.other), node_at(pair.node)}});
+    kinks.push_back({{node_at(pair.other, axis), node_at(pair.node, axis)}});
+  }
+  for (const constraints::Row& kink : space.kinks.rows()) {
+    const auto node = static_cast<std::size_t>(kink.node), decides = static_cast<std::size_t>(kink.terms.front().node);
+    if (!space.continuity.constrains(node) && !turns_with_deciding(*space.constraints.find(node)))
+      kinks.push_back({{node_at(decides, Vector3d::Zero()), node_at(node, Vector3d::Zero())}, true});
   }
   return expressed(kinks);
 }

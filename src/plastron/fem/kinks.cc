@@ -17,10 +17,11 @@ namespace {
 /// The nodes that determine a node's (u, r), possibly with the node itself, and their matrices.
 using Expression = std::map<GlobalIndex, Matrix6>;
 
-/// One condition of a node: its r . `direction` equals the other's r . `other_direction`.
+/// One condition of a node: its r . `direction` equals the other's r . `other_direction`, unless a hinge is between them.
 struct TurnsWith {
   GlobalIndex other;
   Vector3d direction, other_direction, along;
+  bool is_hinge;
 };
 
 /// The direction D with (w x d) . D = w . along for every rotation w, if d is normal to `along`. Directors of meshes in
@@ -38,7 +39,7 @@ class KinkedGroups {
         const Vector3d& along = kink.nodes[0].along;
         at_.emplace(node.node, node);
         neighbours_[node.node].push_back(
-            {other.node, turning(along, node.normal), turning(along, other.normal), along});
+            {other.node, turning(along, node.normal), turning(along, other.normal), along, kink.is_hinge});
       }
   }
 
@@ -67,7 +68,7 @@ class KinkedGroups {
     constexpr double parallel = 1e-6;
     std::vector<TurnsWith> all;
     for (const TurnsWith& next : neighbours_.at(node)) {
-      if (!expressed_.contains(next.other)) continue;
+      if (next.is_hinge || !expressed_.contains(next.other)) continue;
       if (std::ranges::any_of(
               all, [&](const TurnsWith& known) { return known.direction.cross(next.direction).norm() < parallel; }))
         continue;
@@ -90,8 +91,10 @@ class KinkedGroups {
       for (BoundaryNode& end : kink.nodes) end.along = turn.along;
     }
     const Vector3d a3 = at_.at(node).normal.normalized();
+    const auto known = std::ranges::find_if(neighbours_.at(node),
+                                            [&](const TurnsWith& next) { return expressed_.contains(next.other); });
     Expression& all = expressed_[node];
-    for (const auto& [source, block] : expressed_.at(turns[0].other))
+    for (const auto& [source, block] : expressed_.at(known->other))
       all.try_emplace(source, Matrix6::Zero()).first->second.topRows<3>() += block.topRows<3>();
     const auto dual = dual_directions(turns, a3);
     for (std::size_t k = 0; k < turns.size(); ++k)
@@ -107,6 +110,7 @@ class KinkedGroups {
     for (const auto& entry : all)
       if (entry.first != decides_u && entry.second.norm() > rounding) kinked.sources.emplace_back(entry);
     kinked.own.bottomRightCorner<3, 3>() = a3 * a3.transpose();
+    if (turns.empty()) kinked.own.bottomRightCorner<3, 3>().setIdentity();
     if (turns.size() == 1) {
       const Vector3d along = turns[0].direction.cross(a3).normalized();
       kinked.own.bottomRightCorner<3, 3>() += along * along.transpose();
@@ -116,6 +120,7 @@ class KinkedGroups {
 
   /// Tangential vectors dual to the directions: their products with the directions are one and zero.
   static std::vector<Vector3d> dual_directions(const std::vector<TurnsWith>& turns, const Vector3d& a3) {
+    if (turns.empty()) return {};
     if (turns.size() == 1) return {turns[0].direction / turns[0].direction.squaredNorm()};
     const double area = a3.dot(turns[0].direction.cross(turns[1].direction));
     return {turns[1].direction.cross(a3) / area, a3.cross(turns[0].direction) / area};

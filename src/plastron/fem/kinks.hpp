@@ -1,5 +1,5 @@
-// Kinks: nodes of different shells, or of different sides of a fold, that lie in one place. They share u and the rotation about
-// the edge (fem/constraints.hpp).
+// Kinks: nodes of different shells, or of different sides of a fold, that lie in one place. They share u and, without a hinge, the
+// rotation about the edge (fem/constraints.hpp).
 #pragma once
 #include <plastron/fem/boundary_nodes.hpp>
 
@@ -10,9 +10,11 @@
 
 namespace plastron::fem {
 
-/// Two nodes at the same place with different normals. `along` of both is the axis about which they turn together.
+/// Two nodes at the same place with different normals. `along` of both is the axis about which they turn together. At a hinge they
+/// share u alone, and the normals may be equal.
 struct Kink {
   std::array<BoundaryNode, 2> nodes;
+  bool is_hinge = false;
 };
 
 /// The row of a node at a kink, as known to all ranks.

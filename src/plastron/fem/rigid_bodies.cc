@@ -191,10 +191,10 @@ std::vector<constraints::Row> kinks_beside(const std::vector<RigidBody>& bodies,
       const auto in_body = [&](GlobalIndex number) { return members[k].contains(number); };
       if (std::ranges::none_of(group, in_body)) continue;
       if (!bodies[k].turns_normals || !std::ranges::all_of(group, in_body))
-        throw mesh::DomainError(
-            fmt::format("the rigid body \"{}\" carries a node where shells are joined at an angle, but not all that "
-                        "meet there; give it the edges of all of them, and rotations = true",
-                        bodies[k].name));
+        throw mesh::DomainError(fmt::format(
+            "the rigid body \"{}\" carries a node where shells are joined at an angle or by a hinge, but not "
+            "all that meet there; give it the edges of all of them, and rotations = true",
+            bodies[k].name));
       is_taken = true;
     }
     if (!is_taken) rest.push_back(kink);

@@ -46,6 +46,14 @@ struct BoundarySide {
   bool is_inner = false;  ///< true with cells on both sides
 };
 
+/// A side of an owned cell along a hinge with a stiffness.
+struct HingeSide {
+  std::size_t cell = 0;
+  int side = 0;
+  std::vector<algebra::GlobalIndex> partners{};  ///< of the nodes of the side, on the other shell
+  double stiffness = 0;                          ///< [N]
+};
+
 using ConstraintMap = constraints::Map;
 
 struct Space {
@@ -70,6 +78,7 @@ struct Space {
   /// Constraints of (u, r): continuity, kinks and rigid bodies.
   ConstraintMap constraints{};
   std::vector<PlacedBody> bodies{};
+  std::vector<HingeSide> hinges{};
   std::int64_t global_cells = 0;
 
   mesh::Shape shape() const { return coarse->shape; }
@@ -78,6 +87,10 @@ struct Space {
     PLASTRON_ASSERT(cell < cells.size(), cell, cells.size());
     return connectivity.element(cell);
   }
+  /// Returns the nodes of the side in its direction, then their partners.
+  std::vector<algebra::LocalIndex> nodes(const HingeSide& hinge) const;
+  /// Returns the nodes on which the values in each cell and at each hinge depend, for the pattern of a matrix.
+  algebra::Connectivity couplings() const;
 };
 
 }  // namespace plastron::fem

@@ -200,10 +200,7 @@ void multiply_through_strains(const assembly::DiscreteShell& discrete, const alg
         return shell.weighted_stresses(c, shell.strains(c, shell.gather(c, y), discrete.geometry(c)));
       },
       [&](std::size_t c) { return discrete.geometry(c); });
-  algebra::Vector of_terms(z.layout(), 6);
-  for (const auto& term : discrete.terms) term->add_product(shell, discrete.state.displacement, y, of_terms);
-  of_terms.accumulate_ghosts();
-  algebra::axpy(1, of_terms, forces);
+  add_product_of_terms(discrete, y, forces);
   geometric.multiply(z, f);
   discrete.coordinates.add_transposed(forces, f);
   discrete.coordinates.add_bed_forces(z, f);

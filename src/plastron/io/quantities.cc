@@ -45,7 +45,7 @@ std::span<const Quantity<Result>> result_quantities() {
        [](const Result& r) { return number(r.summary.energy.bending); }},
       {"energy_parts/shear", "J", "transverse shear part of the energy",
        [](const Result& r) { return number(r.summary.energy.shear); }},
-      {"energy_parts/foundations", "J", "energy of foundations and springs",
+      {"energy_parts/foundations", "J", "energy of foundations, springs and hinges",
        [](const Result& r) { return number(r.summary.energy.foundations); }},
       {"load_work", "J", "work of the loads, l(U)", [](const Result& r) { return number(r.summary.load_work); }},
       {"moment_point", "m", "reference point of moments (output.moment_point)",
