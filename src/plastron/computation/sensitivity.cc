@@ -33,6 +33,7 @@ const Result& checked(const problem::Problem& problem, const Result& result) {
   if (!assembly::pressed_obstacles(discrete).empty()) refuse("where a force presses an obstacle");
   if (discrete.state.control) refuse("where the loads follow a displacement");
   if (discrete.has_finite_rotations() && discrete.obstacles.on_bed()) refuse("on a bed with finite rotations");
+  if (discrete.obstacles.has_segments()) refuse("on a bed with a table");
   if (discrete.has_finite_rotations()) return result;
   if (discrete.state.is_deformed())
     refuse("for curved obstacles with small rotations, whose gaps are linearised at the solution");

@@ -69,9 +69,8 @@ const std::vector<Limit>& limits() {
         "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "join.stiffness",
         "rigid_body.stiffness", "spring.body", "spring.rigid-body", "spring.boundary", "spring.rotation"},
        "Springs act at points of the shell and foundations on areas and along edges, with stiffnesses that do not "
-       "change: no springs on rigid bodies, no springs of rotations, no joins with a stiffness, no bed that stiffens "
-       "as "
-       "it closes.",
+       "change: no springs on rigid bodies, no springs of rotations, no joins with a stiffness. A bed may "
+       "stiffen or soften as it closes; it has no hysteresis.",
        "`foundations`, `springs` and `obstacles` in `results.json` have forces and energies",
        "`[[spring]]` at a point, `[[foundation]]` under an area or along an edge (also one that a rigid body carries), "
        "or `bed` of an `[[obstacle]]`"},
