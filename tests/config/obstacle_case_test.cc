@@ -43,6 +43,14 @@ TEST(AnObstacle, IsAnyOfTheShapes) {
   EXPECT_NEAR(distance("surface = \"files/box.obj\"", {0.5, 0.5, 3}), 2, 1e-15);
 }
 
+TEST(ABed, IsANumberOrATable) {
+  EXPECT_TRUE(read("half_space = {}").bed.is_rigid());
+  EXPECT_EQ(read("half_space = {}\nbed = \"4*R\"").bed.pressure(2), 4);
+  const obstacle::Bed bed = read("half_space = {}\nbed = { closure = [0, 1, 2], pressure = [0, \"R\", 3] }").bed;
+  EXPECT_EQ(bed.pressure(1.5), 1.75);
+  EXPECT_EQ(bed.pressure(3), 5.5);
+}
+
 TEST(FilesOfACase, AreListedAndMayLieInAnotherFolderThanTheCase) {
   const std::string text =
       "\xEF\xBB\xBF[shell]\nE = 1\nnu = 0\nthickness = 1\n[geometry]\ndomain = { disk = { radius = 1 } }\n"

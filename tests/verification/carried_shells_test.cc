@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace plastron::carried_shells {
 namespace {
@@ -279,8 +280,94 @@ at = [{half}, {twice}]
       }
 }
 
-/// A clamped plate pressed on an obstacle with a bed; 0: rigid.
-computation::Result pressed_on(double bed, const std::string& rotations, const std::string& obstacle) {
+/// A law of a bed through points, for units of length and force.
+struct BedTable {
+  std::vector<double> closure, pressure;
+
+  double closure_under(double p) const {
+    std::size_t i = 1;
+    while (i + 1 < pressure.size() && p > pressure[i]) ++i;
+    return closure[i - 1] + (p - pressure[i - 1]) * (closure[i] - closure[i - 1]) / (pressure[i] - pressure[i - 1]);
+  }
+  /// The area below the law, by trapezoids.
+  double energy_under(double p) const {
+    double sum = 0;
+    std::size_t i = 1;
+    for (; i + 1 < pressure.size() && p > pressure[i]; ++i)
+      sum += (pressure[i] + pressure[i - 1]) / 2 * (closure[i] - closure[i - 1]);
+    return sum + (p + pressure[i - 1]) / 2 * (closure_under(p) - closure[i - 1]);
+  }
+  std::string text(double length, double force) const {
+    const auto list = [](const std::vector<double>& values, double unit) {
+      std::string all;
+      for (const double value : values) all += fmt::format("{}{}", all.empty() ? "" : ", ", value * unit);
+      return all;
+    };
+    return fmt::format("bed = {{ closure = [{}], pressure = [{}] }}", list(closure, length),
+                       list(pressure, force / (length * length)));
+  }
+};
+
+// Stiffening, softening, and both in one table: there Newton steps alone would cycle.
+const BedTable all_tables[] = {{{0, 1e-3, 3e-3}, {0, 2, 10}},
+                               {{0, 1e-3, 3e-3}, {0, 8, 10}},
+                               {{0, 1e-3, 1.2e-3, 3e-3}, {0, 1, 9, 10}},
+                               {{0, 2e-4, 1e-3, 1.1e-3, 4e-3}, {0, 4, 4.5, 9, 9.5}}};
+
+// A rigid plate under an even pressure: the bed has this pressure everywhere, and closes by what its table says.
+TEST(BedTable, CarriesARigidPlate) {
+  for (const auto& u : all_units)
+    for (const std::string rotations : {"small", "finite"})
+      for (const BedTable& table : all_tables)
+        for (const double q : {0.5, 1.0, 4.2, 8.5, 9.2, 10.0, 14.0})
+          for (const double start : {0.0, -1.5e-3}) {
+            const double L = u.length, unit = u.force / (L * L), c = table.closure_under(q);
+            const auto result = solved(fmt::format(
+                R"case([shell]
+E = {E}
+nu = 0.3
+thickness = {e}
+rotations = "{rotations}"
+[geometry]
+domain = {{ rectangle = {{ from = [0, 0], to = [{L}, {twice}], cells = [1, 2] }} }}
+chart = ["x", "y", "{height}"]
+[mesh]
+refinements = 1
+[model]
+check = false
+[[support]]
+point = [0, 0]
+fix = ["u.x", "u.y"]
+[[support]]
+point = [{L}, 0]
+fix = ["u.y"]
+[[obstacle]]
+half_space = {{}}
+{bed}
+[[load]]
+force = [0, 0, {load}]
+[[probe]]
+name = "middle"
+at = [{half}, {L}]
+)case",
+                fmt::arg("E", 2e11 * unit), fmt::arg("e", 0.3 * L), fmt::arg("rotations", rotations), fmt::arg("L", L),
+                fmt::arg("twice", 2 * L), fmt::arg("half", L / 2), fmt::arg("height", (0.15 + start) * L),
+                fmt::arg("bed", table.text(L, u.force)), fmt::arg("load", -q * unit)));
+            const auto which = fmt::format("{} {} at {} from {}, units {}", rotations, table.text(1, 1), q, start, L);
+            EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits << which;
+            const auto& contact = result.summary.obstacles.at(0);
+            EXPECT_NEAR(result.certificate.min_pressure / unit, q, 1e-8 * q) << which;
+            EXPECT_NEAR(result.summary.max_pressure / unit, q, 1e-8 * q) << which;
+            EXPECT_NEAR(contact.largest_closure / L, c, 1e-8 * c) << which;
+            EXPECT_NEAR(result.probes.at(0).values.u[2] / L, -start - c, 1e-8 * (c - start)) << which;
+            EXPECT_NEAR(contact.bed_energy / (unit * L * L * L), 2 * table.energy_under(q),
+                        1e-7 * table.energy_under(q))
+                << which;
+          }
+}
+
+/// A clamped plate pressed on an obstacle with these other keys.
+computation::Result pressed_on(const std::string& bed, const std::string& rotations, const std::string& obstacle) {
   return solved(fmt::format(R"case([shell]
 E = 2e5
 nu = 0.3
@@ -302,7 +389,7 @@ force = [0, 0, -0.5]
 {}
 {}
 )case",
-                            rotations, obstacle, bed > 0 ? fmt::format("bed = {}", bed) : ""));
+                            rotations, obstacle, bed));
 }
 
 // k -> infinity is the rigid obstacle, at first order in 1/k.
@@ -310,10 +397,10 @@ TEST(Bed, ThatGrowsStiffIsRigid) {
   for (const std::string rotations : {"small", "finite"})
     for (const std::string obstacle :
          {"half_space = { point = [0, 0, -0.55] }", "ball = { centre = [20, 20, -30.55], radius = 30 }"}) {
-      const double rigid = pressed_on(0, rotations, obstacle).summary.energy.total();
+      const double rigid = pressed_on("", rotations, obstacle).summary.energy.total();
       double before = 0;
       for (const double bed : {1e5, 1e6, 1e7}) {
-        const auto result = pressed_on(bed, rotations, obstacle);
+        const auto result = pressed_on(fmt::format("bed = {}", bed), rotations, obstacle);
         EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits << bed << rotations << obstacle;
         const double away = std::abs(result.summary.energy.total() - rigid);
         if (before > 0) {
@@ -322,6 +409,34 @@ TEST(Bed, ThatGrowsStiffIsRigid) {
         before = away;
       }
       EXPECT_LT(before, 1e-2 * rigid);
+    }
+}
+
+// A table of equal slopes is one stiffness. Others have the pressure of their table at each node.
+TEST(BedTable, CarriesAPlateThatBends) {
+  for (const std::string rotations : {"small", "finite"})
+    for (const std::string obstacle :
+         {"half_space = { point = [0, 0, -0.55] }", "ball = { centre = [20, 20, -30.55], radius = 30 }"}) {
+      const auto one = pressed_on("bed = 20", rotations, obstacle);
+      const double p = one.summary.max_pressure, exactness = obstacle.starts_with("half") ? 1e-10 : 1e-7;
+      const BedTable equal{{0, p / 100, p / 50, p / 25}, {0, p / 5, 2 * p / 5, 4 * p / 5}};
+      const auto same = pressed_on(equal.text(1, 1), rotations, obstacle);
+      EXPECT_EQ(same.status, contact::Status::solved) << same.missed_limits << rotations << obstacle;
+      EXPECT_NEAR(same.summary.energy.total() / one.summary.energy.total(), 1, exactness) << rotations << obstacle;
+      EXPECT_NEAR(same.summary.obstacles.at(0).bed_energy / one.summary.obstacles.at(0).bed_energy, 1, exactness);
+      for (const BedTable& table :
+           {BedTable{{0, 0.02, 0.04}, {0, 0.04, 0.4}}, BedTable{{0, 0.005, 0.05}, {0, 0.2, 0.3}},
+            BedTable{{0, 0.02, 0.021, 0.06}, {0, 0.02, 0.3, 0.35}}}) {
+        const auto result = pressed_on(table.text(1, 1), rotations, obstacle);
+        const auto which = rotations + obstacle + table.text(1, 1);
+        EXPECT_EQ(result.status, contact::Status::solved) << result.missed_limits << which;
+        EXPECT_GE(result.certificate.min_pressure, 0) << which;
+        EXPECT_LT(result.certificate.complementarity, 1e-7 * result.summary.max_pressure) << which;
+        EXPECT_NEAR(result.summary.obstacles.at(0).largest_closure, table.closure_under(result.summary.max_pressure),
+                    1e-9)
+            << which;
+        EXPECT_LT(result.certificate.force_balance, 1e-8) << which;
+      }
     }
 }
 

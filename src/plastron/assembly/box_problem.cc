@@ -2,10 +2,13 @@
 
 #include <plastron/algebra/factorisation.hpp>
 #include <plastron/energy/normal_rotation.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace plastron::assembly {
 
@@ -194,6 +197,53 @@ void press(DiscreteShell& discrete, std::span<const double> ways) {
     discrete.obstacles.moved[k] += by;
     for (obstacle::Gap& gap : coordinates.gaps[k]) gap.initial -= gap.normal.dot(by);
   }
+}
+
+std::optional<double> part_by_beds(const DiscreteShell& discrete, const algebra::Vector& y, const algebra::Vector& way,
+                                   std::span<const double> pressed) {
+  constexpr int most_halvings = 40;
+  constexpr double negligible = 1e-9;
+  if (!discrete.obstacles.has_segments()) return {};
+  const std::size_t k = discrete.obstacles.on_bed().value();
+  const obstacle::Obstacle& body = discrete.obstacles.all[k];
+  Vector3d ahead = Vector3d::Zero();
+  const auto all_pressed = pressed_obstacles(discrete);
+  for (std::size_t j = 0; j < pressed.size(); ++j)
+    if (all_pressed[j] == k) ahead = pressed[j] * body.force.normalized();
+  struct Closing {
+    double area, end, change, pressure;  // closure at the end of the way, its change, and the pressure of the solution
+  };
+  std::vector<Closing> rows;
+  std::int64_t leaving = 0;
+  for (const ContactRow& row : discrete.coordinates.rows) {
+    if (row.bed == 0) continue;
+    const obstacle::Gap& gap = discrete.coordinates.gaps[k][row.node];
+    const Vector6 moved = node_values(way, row.node);
+    const Vector3d r = geometry::tangential(moved.tail<3>(), discrete.place(row.node).a3);
+    const double end = discrete.entry(row, y) + gap.normal.dot(ahead);
+    rows.push_back({discrete.points[row.node].weight, end,
+                    gap.normal.dot(discrete.obstacles.way(k) + ahead - moved.head<3>() - gap.arm * r),
+                    std::max(0.0, row.segment.pressure(end))});
+    if (body.bed.segment(end) != row.segment) ++leaving;
+  }
+  if (algebra::sum_over_ranks(leaving, discrete.space().layout->comm) == 0) return {};
+  // The solution is stationary with the pressures of its segments. So the slope is that of the laws less these pressures, and what the
+  // shell lacks to its end.
+  const double twice_energy = 2 * discrete.motion_energies(way).total();
+  const auto slope = [&](double t) {
+    double sum = 0;
+    for (const Closing& row : rows)
+      sum += row.area * (body.bed.pressure(row.end - (1 - t) * row.change) - row.pressure) * row.change;
+    return algebra::sum_over_ranks(sum, discrete.space().layout->comm) - (1 - t) * twice_energy;
+  };
+  const double start = slope(0);
+  if (!(start < 0) || slope(1) <= -negligible * start) return 1;
+  double low = 0, high = 1;
+  for (int i = 0; i < most_halvings; ++i) {
+    const double middle = (low + high) / 2;
+    (slope(middle) < 0 ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace plastron::assembly

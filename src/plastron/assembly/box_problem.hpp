@@ -9,6 +9,7 @@
 #include <plastron/assembly/discrete_shell.hpp>
 #include <plastron/contact/problem.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,5 +71,11 @@ inline std::vector<std::size_t> pressed_obstacles(const DiscreteShell& discrete)
 /// Moves the pressed obstacles by `ways` [m] along their forces, and changes gaps and bounds. The normals stay, as in
 /// the linearisation (collective).
 void press(DiscreteShell& discrete, std::span<const double> ways);
+
+/// If some node of a bed leaves the segment of the state on the way to a solution (u, r) = `y`: returns the part t of the way at which the
+/// potential is least, 0 < t <= 1, where the bed follows its law and other contact forces stay those of the solution. `way`: y less the
+/// state, with ghosts. `pressed`: ways of the pressed obstacles that press() has not yet moved (collective).
+std::optional<double> part_by_beds(const DiscreteShell& discrete, const algebra::Vector& y, const algebra::Vector& way,
+                                   std::span<const double> pressed = {});
 
 }  // namespace plastron::assembly

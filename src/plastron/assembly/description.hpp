@@ -32,6 +32,10 @@ struct RigidObstacles {
     const auto found = std::ranges::find_if(all, &obstacle::Obstacle::has_bed);
     return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
   }
+  /// Whether the stiffness of a bed depends on its closure.
+  bool has_segments() const {
+    return std::ranges::any_of(all, [](const obstacle::Obstacle& o) { return o.bed.has_segments(); });
+  }
   Vector3d way(std::size_t k) const { return moved.empty() ? Vector3d(0, 0, 0) : moved[k]; }
   /// Returns the gap (M16) against obstacle k, with the normals of the linearisation.
   obstacle::Gap gap(std::size_t k, obstacle::ShellPoint at) const {

@@ -120,6 +120,11 @@ struct DiscreteShell {
   /// Returns the linearised gap of fields (u, r) between a local node and obstacle k, without the state's lift. With
   /// small rotations it uses the tangential part of r [m].
   double nodal_gap(std::size_t k, std::size_t node, const algebra::Vector& y) const;
+  /// Returns by how much fields (u, r) enter the obstacle of a row, its lift included: the closure of its bed where that touches [m].
+  double entry(const ContactRow& row, const algebra::Vector& y) const {
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    return state.lift(row.node, k) - nodal_gap(k, row.node, y);
+  }
   /// Distance by which its force has moved obstacle k since its gaps were linearised [m].
   double way_pressed(std::size_t k) const;
   /// Distances by which forces have moved the obstacles from their positions at the start [m].

@@ -133,8 +133,6 @@ std::vector<char> deciding_at_kinks(const fem::Space& space) {
 NodeCoordinates owned_coordinates(const NodalCoordinates& all, std::size_t i, const NodalPoint& point,
                                   const NodeSupport& support, const RigidObstacles& obstacles, const State& state,
                                   double size) {
-  const std::optional<std::size_t> bed = obstacles.on_bed();
-  const double stiffness = bed ? obstacles.all[*bed].bed : 0;
   NodeCoordinates node;
   if (all.space->constraints.constrains(i)) {
     node = constrained_coordinates(*all.space, static_cast<algebra::LocalIndex>(i), point, support, size);
@@ -150,7 +148,13 @@ NodeCoordinates owned_coordinates(const NodalCoordinates& all, std::size_t i, co
     node = node_coordinates(point, support, gaps, lifts, state.at(i), size);
   }
   for (ContactRow& row : node.rows) row.node = i;
-  if (bed) put_on_bed(all.space->constraints.constrains(i) ? std::nullopt : bed, stiffness, point, node);
+  if (const std::optional<std::size_t> bed = obstacles.on_bed()) {
+    const Vector6 y = state.at(i);
+    const double entered =
+        state.lift(i, *bed) - all.gaps[*bed][i](y.head<3>(), geometry::tangential(y.tail<3>(), point.a3));
+    put_on_bed(all.space->constraints.constrains(i) ? std::nullopt : bed, obstacles.all[*bed].bed.segment(entered),
+               point, node);
+  }
   return node;
 }
 

@@ -181,7 +181,8 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
   return node;
 }
 
-void put_on_bed(std::optional<std::size_t> obstacle, double stiffness, const NodalPoint& point, NodeCoordinates& node) {
+void put_on_bed(std::optional<std::size_t> obstacle, const obstacle::Bed::Segment& segment, const NodalPoint& point,
+                NodeCoordinates& node) {
   constexpr int surface = 5;
   node.basis.col(surface).setZero();
   node.lower[surface] = node.upper[surface] = 0;
@@ -191,7 +192,9 @@ void put_on_bed(std::optional<std::size_t> obstacle, double stiffness, const Nod
     row.bound_gap = std::numeric_limits<double>::quiet_NaN();  // a bed lets the shell be held inside of it
     return;
   }
-  row.bed = stiffness * point.weight;
+  row.bed = segment.stiffness * point.weight;
+  row.segment = segment;
+  row.bound_gap += segment.shift;
   row.gap_coordinate = std::exchange(row.coordinate, surface);
   row.gap_scale = std::exchange(row.scale, 1.0);
   for (ContactRow& other : node.rows) other.binds = false;

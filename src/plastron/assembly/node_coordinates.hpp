@@ -48,15 +48,15 @@ struct ContactRow {
   bool is_left_out = false;     ///< the gap depends on several nearer gaps and bounds nothing
   bool binds = false;           ///< the tightest row on its side of its coordinate: only this row can be in contact
   bool is_approximate = false;  ///< the bound is exact only where the other coordinates are those of the state
-  /// On a bed, `coordinate` is the place of the bed's surface: tau with gap + s = bound_gap + tau and the spring energy 1/2 bed s^2, s =
-  /// tau - gap_scale z_gap_coordinate (M33). `bed`: its stiffness times the node's area, 0 on a rigid obstacle [N/m].
+  /// On a bed, `coordinate` is the place of the bed's surface: tau with gap + s - shift = bound_gap + tau and the spring energy 1/2 bed s^2,
+  /// s = tau - gap_scale z_gap_coordinate: the closure of the bed (M33), less the shift of its segment. `bed`: the stiffness of the
+  /// segment times the node's area, 0 on a rigid obstacle [N/m].
   double bed = 0;
+  obstacle::Bed::Segment segment{};
   int gap_coordinate = -1;
   double gap_scale = 1;
 
   bool is_touchable() const { return coordinate >= 0; }
-  /// Distance by which the bed gives under a pressure on the area of the node; 0 on a rigid obstacle [m].
-  double closure(double pressure, double area) const { return bed > 0 ? pressure * area / bed : 0; }
 };
 
 struct NodeCoordinates {
@@ -72,8 +72,9 @@ NodeCoordinates node_coordinates(const NodalPoint& point, const NodeSupport& sup
                                  std::span<const obstacle::Gap> gaps, std::span<const double> lifts,
                                  const Eigen::Matrix<double, 6, 1>& at, double size);
 
-/// Gives the last coordinate, which is then not r . a_3, to the surface of the bed of an obstacle with this stiffness per area; without
+/// Gives the last coordinate, which is then not r . a_3, to the surface of the bed of an obstacle, on this segment of its law; without
 /// an obstacle, or where its gap has no freedom, that coordinate is 0.
-void put_on_bed(std::optional<std::size_t> obstacle, double stiffness, const NodalPoint& point, NodeCoordinates& node);
+void put_on_bed(std::optional<std::size_t> obstacle, const obstacle::Bed::Segment& segment, const NodalPoint& point,
+                NodeCoordinates& node);
 
 }  // namespace plastron::assembly

@@ -40,7 +40,7 @@ Vector6 add_contact(const assembly::DiscreteShell& discrete, const solution::Nod
                     const assembly::ContactRow& row, Sums& sums) {
   const auto k = static_cast<std::size_t>(row.obstacle);
   // The surface of a bed gives by its pressure.
-  const double closed = row.closure(solution.pressure.at(row.node)[k], discrete.points[row.node].weight);
+  const double closed = row.bed > 0 ? discrete.obstacles.all[k].bed.closure(solution.pressure.at(row.node)[k]) : 0;
   const double gap = discrete.nodal_gap(k, row.node, solution.y) + closed;
   if (row.is_touchable() || row.is_left_out) sums.min_gap = std::min(sums.min_gap, gap);
   Vector6 force = contact_force(discrete, solution, row);

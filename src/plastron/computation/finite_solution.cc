@@ -102,7 +102,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     if (steps == 0) predicted = step.largest_displacement;
     if (finite::has_no_minimiser(step.status())) step.box.status = contact::Status::no_equilibrium;
     if (step.status() != contact::Status::solved) break;
-    const bool is_lengthened = steps > 0 && lengthenings < most_lengthenings && lengthened(last, step);
+    const bool is_lengthened = steps > 0 && !step.part && lengthenings < most_lengthenings && lengthened(last, step);
     lengthenings += is_lengthened ? 1 : 0;
     linearise(discrete, finite::next_state(discrete, start, step));
     const double displacement = solution::largest_displacement(discrete.state.displacement);
@@ -124,7 +124,7 @@ Found newton_solution(LevelRun& run, finite::StepStart start) {
     before = size;
     last = std::move(step.increment);
     if (size <= negligible_step ||
-        (step.shift == 0 && (is_enough || is_rounding || is_unstrained_after(discrete, step))))
+        (step.shift == 0 && !step.part && (is_enough || is_rounding || is_unstrained_after(discrete, step))))
       break;
     if (steps + 1 == most_newton_steps) step.box.status = contact::Status::no_equilibrium;
   }

@@ -152,6 +152,9 @@ void add_linearisation(const problem::Problem& problem, const assembly::Discrete
     return;
   }
   const Nearness near = nearness(problem.linearisation, discrete, solution);
+  if (discrete.obstacles.has_segments())
+    rows.push_back({"closure_error", "m", near.closure, near.negligible, false,
+                    "the bed gives by the closure that its table has at the pressure, to the tolerance of the case"});
   rows.push_back({"linearisation_error", "m", near.distance, near.negligible, false,
                   "faces in contact lie where their gaps are linearised, to the tolerance of the case"});
   rows.push_back({"depth_at_nodes", "m", near.depth, near.negligible, false,

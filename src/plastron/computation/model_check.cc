@@ -94,7 +94,8 @@ ModelCheck check_model(const Solution& solution, const solution::Summary& summar
     const std::vector<ModelQuantity> before = numbers;
     set_finite_values(totals, solution::largest_displacement(discrete->state.displacement), solution, numbers);
     check.is_stable = step.shift == 0;
-    is_rough = !check.is_stable || step.is_too_long() || largest_change(before, numbers) > rough_change;
+    is_rough = !check.is_stable || step.is_too_long() || step.part.value_or(1.0) < 1 ||
+               largest_change(before, numbers) > rough_change;
     start = std::move(step.next);
   }
   check.quantities = std::move(numbers);

@@ -1,6 +1,7 @@
 #include <plastron/computation/relinearisation.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/assembly/box_problem.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -75,7 +76,7 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
     const obstacle::ShellPoint moved = moved_node(discrete, solution, row);
     const double distance =
         reaches.empty() ? obstacle::true_gap(now, gap, moved) : obstacle::true_gap(now, gap, moved, reaches[row.node]);
-    const double closed = row.closure(solution.pressure.at(row.node)[k], discrete.points[row.node].weight);
+    const double closed = row.bed > 0 ? discrete.obstacles.all[k].bed.closure(solution.pressure.at(row.node)[k]) : 0;
     if (touches)
       error.at_contact = std::max(error.at_contact, std::abs(distance - discrete.nodal_gap(k, row.node, solution.y)));
     error.depth = std::max(error.depth, std::min(0.0, discrete.state.lift(row.node, k)) - distance - closed);
@@ -83,13 +84,32 @@ GapError gap_error_here(const assembly::DiscreteShell& discrete, const solution:
   return error;
 }
 
-}  // namespace
-
-bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
+/// Whether some gap of the solution may differ from that of the state (collective).
+bool has_inexact_gaps(const assembly::DiscreteShell& discrete) {
   const bool is_curved =
       std::ranges::any_of(discrete.obstacles.all, [](const obstacle::Obstacle& o) { return !o.is_plane(); });
   return is_curved || algebra::sum_over_ranks(std::int64_t{std::ranges::any_of(discrete.coordinates.rows, is_inexact)},
                                               discrete.space().layout->comm) > 0;
+}
+
+/// Returns Nearness::closure (collective).
+double closure_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+  if (!discrete.obstacles.has_segments()) return 0;
+  double error = 0;
+  for (const assembly::ContactRow& row : discrete.coordinates.rows) {
+    if (row.bed == 0) continue;
+    const auto k = static_cast<std::size_t>(row.obstacle);
+    const double entry = discrete.entry(row, solution.y);
+    const double closure = discrete.obstacles.all[k].bed.closure(solution.pressure.at(row.node)[k]);
+    error = std::max(error, solution.touching.at(row.node)[k] != 0 ? std::abs(closure - entry) : entry);
+  }
+  return algebra::max_over_ranks(error, discrete.space().layout->comm);
+}
+
+}  // namespace
+
+bool has_rows_to_meet(const assembly::DiscreteShell& discrete) {
+  return discrete.obstacles.has_segments() || has_inexact_gaps(discrete);
 }
 
 GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
@@ -110,6 +130,7 @@ Nearness nearness(const problem::Linearisation& settings, const assembly::Discre
                   const solution::NodalSolution& solution) {
   return {.distance = distance_from_state(discrete, solution),
           .depth = gap_error(discrete, solution).depth,
+          .closure = closure_error(discrete, solution),
           .negligible = std::max(settings.tolerance * solution::largest_displacement(solution.y),
                                  assembly::gap_rounding * least_thickness(discrete))};
 }
@@ -194,7 +215,19 @@ std::optional<assembly::State> Relinearisation::next(const solution::NodalSoluti
   assembly::State state = discrete_.state;
   state.displacement = solution.y;
   state.positions = discrete_.positions();
-  if (!discrete_.state.is_deformed()) return state;
+  const bool is_deformed = discrete_.state.is_deformed();
+  algebra::Vector way = solution.y;
+  if (is_deformed) algebra::axpy(-1, discrete_.state.displacement, way);
+  way.update_ghosts();
+  if (const std::optional<double> part = part_by_beds(discrete_, solution.y, way)) {
+    algebra::axpy(*part - 1, way, state.displacement);
+    state.displacement.update_ghosts();
+    for (std::size_t k = 0; k < state.positions.size(); ++k)
+      state.positions[k] += (*part - 1) * discrete_.way_pressed(k);
+    iterates_.clear();
+    return state;
+  }
+  if (!is_deformed || !has_inexact_gaps(discrete_)) return state;
   Iterate now = iterate(solution);
   std::vector<double> step = now.way;
   for (double& value : step) value *= part_;

@@ -1,7 +1,8 @@
 // The outer loop over linearised gaps (M16): solve, then linearise at the displaced faces, until the linearised gap
 // equals the distance of the deformed faces from the obstacles. Planes do not need it because their gap is linear. If
 // an obstacle is left out at a node because others are nearer, it is included when the shell has come closer to it. So is the
-// exact gap of an obstacle on the other side of the shell.
+// exact gap of an obstacle on the other side of the shell. Beds with segments take the segments of the state (M33): the loop goes on
+// until each node lies on its own.
 #pragma once
 #include <plastron/problem/problem.hpp>
 #include <plastron/solution/nodal_solution.hpp>
@@ -19,17 +20,18 @@ struct GapError {
 };
 GapError gap_error(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution);
 
-/// Whether another linearisation can be needed: there are curved obstacles, or rows without an exact bound that may
-/// become relevant (collective).
+/// Whether another linearisation can be needed: there are curved obstacles, a bed with segments, or rows without an exact bound that
+/// may become relevant (collective).
 bool has_rows_to_meet(const assembly::DiscreteShell& discrete);
 
 /// Distance of a solution from the state at which its gaps were linearised.
 struct Nearness {
-  double distance = 0;    ///< largest distance of the faces in contact from their positions in the state [m]
-  double depth = 0;       ///< depth as in GapError [m]
-  double negligible = 0;  ///< limit of both [m]
+  double distance = 0;  ///< largest distance of the faces in contact from their positions in the state [m]
+  double depth = 0;     ///< depth as in GapError [m]
+  double closure = 0;   ///< largest difference between the closure of a bed and that of its law under the pressure [m]
+  double negligible = 0;  ///< limit of all three [m]
 
-  bool is_met() const { return distance <= negligible && depth <= negligible; }
+  bool is_met() const { return distance <= negligible && depth <= negligible && closure <= negligible; }
 };
 /// Least thickness at nodes (collective) [m].
 double least_thickness(const assembly::DiscreteShell& discrete);
@@ -42,6 +44,8 @@ Nearness nearness(const problem::Linearisation& settings, const assembly::Discre
 /// turn of a face moves its gap. So each step is corrected by the last ones (Anderson's acceleration): by the combination of their
 /// changes that cancels most of the way to the solution. If the solution is not nearer after a step, the part of the way is halved, down
 /// to 1/16; else it is doubled, up to 1. After three such steps the changes are forgotten. The loop converges or reports that it does not.
+/// A bed with segments takes the segments of the state. A step that leaves them is shortened to the least potential along it, and planes
+/// need no other correction: the potential is convex, so no segments come twice.
 class Relinearisation {
  public:
   Relinearisation(const problem::Linearisation& settings, const assembly::DiscreteShell& discrete);

@@ -32,6 +32,7 @@ const Result& checked(const problem::Problem& problem, const Result& result) {
   if (problem.shell.tangency.formulation == element::Formulation::mixed) refuse("in the mixed formulation");
   if (!assembly::pressed_obstacles(discrete).empty()) refuse("where a force presses an obstacle");
   if (discrete.state.control) refuse("where the loads follow a displacement");
+  if (discrete.obstacles.has_segments()) refuse("on a bed with a table");
   if (discrete.has_increments()) {
     if (discrete.obstacles.on_bed()) refuse("on a bed with finite rotations");
     return result;

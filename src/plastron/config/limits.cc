@@ -69,7 +69,8 @@ const std::vector<Limit>& limits() {
         "winkler", "subgrade", "support.elastic", "support.stiffness", "obstacle.stiffness", "rigid_body.stiffness",
         "spring.rigid-body", "spring.boundary"},
        "Springs act at points of the shell and on rigid bodies, foundations on areas and along edges, with stiffnesses "
-       "that do not change, and hinges with a stiffness between joined edges: no other springs of rotations.",
+       "that do not change, and hinges with a stiffness between joined edges: no other springs of rotations. "
+       "A bed may stiffen or soften as it closes; it has no hysteresis.",
        "`foundations`, `springs` and `obstacles` in `results.json` have forces and energies",
        "`[[spring]]` at a point or on a `[[rigid_body]]`, `[[foundation]]` under an area or along an edge (also one "
        "that a rigid body carries), `stiffness` of a `[[join]]`, or `bed` of an `[[obstacle]]`"},

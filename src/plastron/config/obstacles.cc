@@ -43,6 +43,60 @@ void add_faces(obstacle::Obstacle body, const std::string& face, problem::Proble
   problem.shell.obstacles.all.push_back(std::move(body));
 }
 
+/// Whether a list of a bed's table rises from 0; reports where it does not.
+bool rises_from_zero(const Table& table, const std::string& name, const std::vector<double>& values) {
+  const auto report = [&](const std::string& what, const std::string& allowed) {
+    table.report(name, what, allowed, "for example bed = { closure = [0, 0.001, 0.003], pressure = [0, 2e4, 1e5] }");
+    return false;
+  };
+  if (values.size() < 2)
+    return report(fmt::format("{} has fewer than two entries", name), "at least two, the first one 0");
+  if (values[0] != 0) return report(fmt::format("{} begins with {}", name, values[0]), "0 first: an open bed is free");
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(values[i] > values[i - 1]))
+      return report(
+          fmt::format("entry {} of {} is {}, and the one before it is {}", i + 1, name, values[i], values[i - 1]),
+          "numbers that rise");
+  return true;
+}
+
+/// Reads bed = stiffness or { closure = [...], pressure = [...] }.
+std::optional<obstacle::Bed> read_bed(Table& obstacle, const std::string& name) {
+  if (!obstacle.has(name)) return {};
+  if (!obstacle.value(name)->is_table()) {
+    const auto stiffness = obstacle.number(name);
+    return stiffness ? std::optional(obstacle::Bed(*stiffness)) : std::nullopt;
+  }
+  std::optional<obstacle::Bed> bed;
+  obstacle.in_table(name, [&](Table& table) {
+    const auto closure = table.numbers("closure"), pressure = table.numbers("pressure");
+    if (!closure || !pressure || !rises_from_zero(table, "closure", *closure) ||
+        !rises_from_zero(table, "pressure", *pressure))
+      return;
+    if (closure->size() != pressure->size())
+      return table.report("pressure",
+                          fmt::format("pressure has {} entries, and closure has {}", pressure->size(), closure->size()),
+                          "a pressure for each closure");
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < closure->size(); ++i) points.emplace_back((*closure)[i], (*pressure)[i]);
+    bed.emplace(points);
+  });
+  return bed;
+}
+
+Section bed_section() {
+  return {
+      "obstacle.bed",
+      "bed",
+      "The pressure of a bed by its closure, the distance by which its surface gives: straight between the points, and "
+      "beyond the last one as before it. Both numbers rise from 0, so the bed may stiffen or soften.",
+      {key("closure", Kind::numbers,
+           {.unit = "m", .required = true, .range = {.low = 0}, .example = "[0, 0.001, 0.003]"},
+           "distances by which the surface gives, at least two"),
+       key("pressure", Kind::numbers, {.unit = "Pa", .required = true, .range = {.low = 0}, .example = "[0, 2e4, 1e5]"},
+           "the pressure at each of them")}};
+}
+
 Section obstacle_section() {
   const auto table = [](const char* name, const char* meaning) { return key(name, Kind::table, {}, meaning); };
   return {
@@ -74,9 +128,12 @@ Section obstacle_section() {
        key("force", &obstacle::Obstacle::force, {.unit = "N", .fallback = "[0, 0, 0]"},
            "force that presses the obstacle. The obstacle moves along the force as far as the shell lets it; it "
            "does not move across the force or rotate. [0, 0, 0]: the obstacle is fixed"),
-       key("bed", &obstacle::Obstacle::bed, {.unit = "N/m^3", .range = Range::positive()},
+       key("bed", &obstacle::Obstacle::bed, read_bed,
+           {.kind = Kind::number, .unit = "N/m^3", .range = Range::positive(), .shorthand = Kind::table},
            "stiffness of an elastic surface, such as a rubber mat or soil: it gives by pressure over bed, and does not "
-           "pull. One obstacle may have a bed. Without it the obstacle is rigid"),
+           "pull. A table has pressures by closure instead, so that it may stiffen or soften: "
+           "{ closure = [0, 0.001, 0.003], pressure = [0, 2e4, 1e5] }. One obstacle may have a bed. Without it the "
+           "obstacle is rigid"),
        key("face", Kind::word, {.fallback = "\"auto\"", .words = {"auto", "lower", "upper", "both"}},
            "the face of the shell that may touch. lower: at -e/2 along a3; upper: at +e/2; auto: at each point the "
            "face that looks at the obstacle; both: two obstacles, one for each face, with separate results. Where "
@@ -104,6 +161,7 @@ void check_bed(const Table& table, const std::string& face, const problem::Probl
 std::vector<Section> obstacle_sections() {
   std::vector<Section> all{obstacle_section()};
   std::ranges::move(obstacle_shape_sections(), std::back_inserter(all));
+  all.push_back(bed_section());
   all.push_back(rotate_section("obstacle.rotate"));
   return all;
 }

@@ -76,7 +76,7 @@ struct Key {
   std::vector<std::string> words{};
   std::string meaning{};
   std::string example{};            ///< a value in TOML, shown when a required key is missing
-  std::optional<Kind> shorthand{};  ///< kind of value allowed in place of a table
+  std::optional<Kind> shorthand{};  ///< another kind of value that is allowed
   /// Reads the value into the object that a pointer of the right type points to (Table::fill). Returns false if the
   /// value is wrong or missing. Empty: the reader of the section reads the key by its name.
   std::function<bool(Table&, const Key&, const std::any& object)> put{};

@@ -69,6 +69,9 @@ void read_contact(Table& root, problem::Problem& problem) {
   root.in_table("contact", [&](Table& contact) {
     contact.fill(problem.shell.obstacles);
     contact.fill(problem);
+    if (problem.shell.obstacles.are_linear && problem.shell.obstacles.has_segments())
+      contact.report("linearised", "the table of a bed is met at the deformed shell", "false",
+                     "remove linearised = true, or give the bed one stiffness");
     if (problem.admissible && problem.shell.obstacles.on_bed())
       contact.report("admissible", "a bed gives way, also between nodes: nothing is to be lifted there", "false",
                      "remove admissible = true");

@@ -94,8 +94,9 @@ std::string_view explain(Status status) {
       return "The contact problem was solved, but the certificate misses a limit: rounding or the mesh spoils the "
              "result; use a thicker shell, a coarser mesh of higher degree, or a finer one where contact was missed.";
     case Status::gap_not_met:
-      return "The gaps of curved obstacles, linearised where the shell was found, did not come to rest; use a smaller "
-             "load or a finer mesh, or write linearised = true for the gaps of the undeformed shell.";
+      return "The gaps of curved obstacles, or the segments of a bed, did not come to rest where the shell was found; "
+             "use a smaller load or a finer mesh, or write linearised = true for the gaps of the undeformed shell (not "
+             "with the table of a bed).";
     case Status::no_equilibrium:
       return "With finite rotations no equilibrium was found near the state from which the steps started: loads, "
              "supports or obstacles move the structure too far at once, also in small parts, or it can carry no more; "

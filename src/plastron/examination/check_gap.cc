@@ -48,14 +48,15 @@ void check_roundness(Examined& examined, const assembly::NodalPoint& nearest, st
 
 namespace {
 
-/// Checks that the stiffness of a bed is within sixteen digits of that of the shell through its thickness. Returns whether it is.
+/// Checks that each stiffness of a bed is within sixteen digits of that of the shell through its thickness. Returns whether it is.
 bool check_bed(Examined& examined, const ExaminedNodes& nodes, std::size_t obstacle) {
   constexpr double stiffest = 1e9, softest = 1e-13;
-  const double bed = examined.problem.shell.obstacles.all[obstacle].bed;
-  if (bed == 0) return true;
+  if (!examined.problem.shell.obstacles.all[obstacle].has_bed()) return true;
+  const auto [least, most] = examined.problem.shell.obstacles.all[obstacle].bed.stiffnesses();
   const assembly::NodalPoint& point = nodes.points.front();
   const double own = point.young / point.thickness;
-  if (bed > softest * own && bed < stiffest * own) return true;
+  if (least > softest * own && most < stiffest * own) return true;
+  const double bed = most < stiffest * own ? least : most;
   examined.add(Severity::error, "the bed of {} has {:.3g} of the stiffness E/e of the shell through its thickness: {}",
                obstacle_text(examined.problem, obstacle), bed / own,
                bed < own ? "it carries nothing that double precision shows; leave the obstacle out"

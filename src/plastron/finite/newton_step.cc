@@ -187,6 +187,7 @@ NewtonStep newton_step(const assembly::DiscreteShell& discrete, const StepStart&
   coordinates.to_cartesian(step.box.z, step.increment);
   step.largest_rotation = largest_rotation(step.increment);
   step.largest_displacement = solution::largest_displacement(step.increment);
+  step.part = assembly::part_by_beds(discrete, after(discrete, step), step.increment, step.box.positions);
   step.next = start_after(discrete, step);
   return step;
 }
@@ -218,8 +219,8 @@ double potential(const assembly::DiscreteShell& discrete, double weight) {
     if (!row.binds) continue;
     const double closed =
         std::max(0.0, discrete.state.lift(row.node, k) - discrete.coordinates.gaps[k][row.node].initial);
-    if (row.bed > 0)
-      of_beds += row.bed * closed * closed / 2;
+    if (const obstacle::Bed& bed = discrete.obstacles.all[k].bed; row.bed > 0)
+      of_beds += discrete.points[row.node].weight * bed.energy(bed.pressure(closed));
     else
       depth += closed;
   }
@@ -256,7 +257,8 @@ ProblemAtSolution problem_at(const assembly::DiscreteShell& discrete, const solu
 }
 
 assembly::State next_state(const assembly::DiscreteShell& discrete, const StepStart& start, NewtonStep& step) {
-  const double part = step.is_too_long() ? NewtonStep::longest_rotation / step.largest_rotation : 1;
+  const double part = std::min(step.part.value_or(1.0),
+                               step.is_too_long() ? NewtonStep::longest_rotation / step.largest_rotation : 1.0);
   assembly::State next = discrete.state;
   const auto pressed = assembly::pressed_obstacles(discrete);
   next.positions = discrete.positions();

@@ -4,6 +4,7 @@
 #include <plastron/finite/tangent.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace plastron::finite {
@@ -24,6 +25,7 @@ struct NewtonStep {
   double shift = 0;
   double largest_rotation = 0;      ///< largest |s| of the increment [rad]
   double largest_displacement = 0;  ///< largest |v| of the increment [m]
+  std::optional<double> part{};     ///< taken where a bed leaves its segments: assembly::part_by_beds()
   double load_change = 0;           ///< change of the load factor under control
   bool is_control_blind = false;    ///< the loads do not move the displacement that is to control them
   algebra::Vector increment{};      ///< (v, s), block 6

@@ -2,6 +2,7 @@
 // that it touches.
 #pragma once
 #include <plastron/obstacle/ball.hpp>
+#include <plastron/obstacle/bed.hpp>
 #include <plastron/obstacle/box.hpp>
 #include <plastron/obstacle/cone.hpp>
 #include <plastron/obstacle/cylinder.hpp>
@@ -35,11 +36,9 @@ struct Obstacle {
   std::vector<Motion> motions{};  ///< one per step
   /// Force that presses the obstacle along its direction; other directions are fixed [N].
   Vector3d force = Vector3d::Zero();
+  Bed bed{};  ///< by which its surface gives
 
-  /// Stiffness of a bed on its surface (M33): the surface gives by s >= 0 with the pressure bed s; 0: it is rigid [N/m^3].
-  double bed = 0;
-
-  bool has_bed() const { return bed > 0; }
+  bool has_bed() const { return !bed.is_rigid(); }
   /// Whether its gap is linear in the displacements; then no further linearisation is necessary.
   bool is_plane() const { return std::holds_alternative<HalfSpace>(shape); }
   /// Whether smooth faces of the shell can lie on sharp edges or corners of its surface.

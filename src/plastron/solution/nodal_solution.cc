@@ -57,8 +57,7 @@ void set_contact(const assembly::DiscreteShell& discrete, const IsActive& is_act
   const auto force_of_bed = [&](const assembly::ContactRow& row) {
     for (const assembly::ContactRow& other : coordinates.rows_of(row.node))
       if (other.bed > 0 && other.gap_coordinate == row.coordinate && is_active(other))
-        return -other.gap_scale * other.bed *
-               discrete.nodal_gap(static_cast<std::size_t>(other.obstacle), row.node, solution.y);
+        return other.gap_scale * other.bed * (discrete.entry(other, solution.y) - other.segment.shift);
     return 0.0;
   };
   for (const assembly::ContactRow& row : coordinates.rows) {
@@ -66,7 +65,7 @@ void set_contact(const assembly::DiscreteShell& discrete, const IsActive& is_act
     const auto k = static_cast<std::size_t>(row.obstacle);
     solution.touching.at(row.node)[k] = 1;
     solution.pressure.at(row.node)[k] =
-        row.bed > 0 ? -discrete.obstacles.all[k].bed * discrete.nodal_gap(k, row.node, solution.y)
+        row.bed > 0 ? row.segment.pressure(discrete.entry(row, solution.y))
                     : (coordinates.basis[row.node].col(row.coordinate).dot(assembly::node_values(r, row.node)) -
                        force_of_bed(row)) /
                           (row.scale * discrete.points[row.node].weight);

@@ -51,9 +51,9 @@ Vector6 add_contacts(const assembly::DiscreteShell& discrete, const NodalSolutio
     sums.obstacles[k].nodes += 1;
     sums.obstacles[k].reaction += nodal_wrench(point.phi, point.a3, force);
     sums.obstacles[k].force_norms += force.head<3>().norm();
-    if (const double bed = discrete.obstacles.all[k].bed; bed > 0) {
-      sums.obstacles[k].bed_energy += pressure * pressure / bed * point.weight / 2;
-      sums.obstacles[k].largest_closure = std::max(sums.obstacles[k].largest_closure, pressure / bed);
+    if (const obstacle::Bed& bed = discrete.obstacles.all[k].bed; !bed.is_rigid()) {
+      sums.obstacles[k].bed_energy += bed.energy(pressure) * point.weight;
+      sums.obstacles[k].largest_closure = std::max(sums.obstacles[k].largest_closure, bed.closure(pressure));
     }
     sums.max_pressure = std::max(sums.max_pressure, pressure);
     sums.lift_work += pressure * point.weight * discrete.state.lift(i, k);
