@@ -336,7 +336,8 @@ class Result(Record):
             if (self._directory / name).exists():
                 shutil.copy2(self._directory / name, target / name)
         for path in target.iterdir():
-            if _solver.is_mode_name(path.name) and path.name not in names:  # of an earlier result
+            is_optional = _solver.is_mode_name(path.name) or path.match("envelope-*.vtu")
+            if is_optional and path.name not in names:  # of an earlier result
                 path.unlink()
 
     def derivatives(self, keys: Iterable[str], step: float = 1e-3) -> dict[str, dict[str, tuple[float, float]]]:
