@@ -16,6 +16,7 @@ from .errors import OutputError, PointError, ResultsError
 
 if TYPE_CHECKING:
     from .case import Case, Path
+    from .load_cases import LoadCase
     from .solving import Verification
 
 
@@ -186,6 +187,7 @@ class Result(Record):
         self._native, self._case, self._directory, self._comm = native, case.copy(), pathlib.Path(directory), comm
         self._is_complete = not owns_directory and (self._directory / "results.json").exists()
         self._fields: Fields | None = None
+        self._read: dict[str, Fields] = {}
         if owns_directory and self._is_first():
             weakref.finalize(self, shutil.rmtree, self._directory, ignore_errors=True)
 
@@ -215,6 +217,39 @@ class Result(Record):
         if self._fields is None:
             self._fields = Fields(self._solution().fields(1.0))
         return self._fields
+
+    @property
+    def cases(self) -> dict[str, LoadCase]:
+        """The load cases by name: ``result.cases["wind"].probes.tip.u``, ``result.cases["wind"].fields["u"]``. Empty without
+        [[case]]. Their numbers are those of history[] of results.json; plastron.combine() adds them up."""
+        from .load_cases import load_case
+
+        if not (self._data["settings"] or {}).get("case"):
+            return {}
+        return {entry["step"]: load_case(self, k) for k, entry in enumerate(self._data["history"])}
+
+    def envelope(self, name: str) -> LoadCase:
+        """Returns an [[envelope]]: ``numbers`` has for each path in history[] least, least_case, largest and largest_case:
+        ``result.envelope("service").numbers["probes/tip/u/2"].least_case``. ``fields`` has the same node by node:
+        ``fields["von_mises_largest"]``, and ``fields["von_mises_largest_case"]``, the place of the case in ``cases``, from 0. Its
+        points are those of the undeformed mid-surface."""
+        from .load_cases import envelope
+
+        known = {data["name"]: data for data in self._data["envelopes"]}
+        if name not in known:
+            raise KeyError(f"there is no envelope {name!r}; there are: {', '.join(known) or 'none'}")
+        return envelope(self, known[name])
+
+    def _file_names(self) -> list[str]:
+        return list(json.loads((self.directory / "results.json").read_text(encoding="utf-8"))["files"])
+
+    def _fields_of(self, name: str) -> Fields:
+        """Returns the fields of one of the result's .vtu files."""
+        from .load_cases import read_fields
+
+        if name not in self._read:
+            self._read[name] = read_fields(self.directory / name)
+        return self._read[name]
 
     def at(self, points: Any, heights: Iterable[float] = ()) -> Values:
         """Returns all fields at points: n x 2 parameters (x, y), or n x 3 places in space, of which the nearest points of the
@@ -296,12 +331,13 @@ class Result(Record):
         from . import _solver
 
         target.mkdir(parents=True, exist_ok=True)
-        names = json.loads((self._directory / "results.json").read_text())["files"]
+        names = self._file_names()
         for name in [name for name in names if name != "results.json"] + ["results.json"]:
             if (self._directory / name).exists():
                 shutil.copy2(self._directory / name, target / name)
         for path in target.iterdir():
-            if _solver.is_mode_name(path.name) and path.name not in names:  # of an earlier result
+            is_optional = _solver.is_mode_name(path.name) or path.match("envelope-*.vtu")
+            if is_optional and path.name not in names:  # of an earlier result
                 path.unlink()
 
     def derivatives(self, keys: Iterable[str], step: float = 1e-3) -> dict[str, dict[str, tuple[float, float]]]:

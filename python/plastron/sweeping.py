@@ -1,4 +1,4 @@
-"""Many cases that differ in some values: sweeps and combinations of loads."""
+"""Many cases that differ in some values."""
 
 from __future__ import annotations
 
@@ -119,25 +119,6 @@ def sweep(
     return _solve_members(members, list(parameters), executor, workers, directory, report, progress)
 
 
-def combine(
-    case: Case,
-    combinations: Mapping[str, Mapping[str, float]],
-    *,
-    executor: Any = None,
-    workers: int | None = None,
-    directory: Path | None = None,
-    report: bool = False,
-    progress: bool = False,
-) -> Table:
-    """Solves a case for combinations of its loads: ``{"wind": {"load[0]": 1.35, "load[1]": 0.9, "gravity": 1}}``. Loads that a
-    combination does not name have the factor 0. Contact and finite rotations are not linear, so that each is solved by itself.
-    Returns a Table with the column ``combination``; the other options are those of sweep()."""
-    members = []
-    for name, factors in combinations.items():
-        members.append(({"combination": name}, case.with_settings(load_settings(case, factors))))
-    return _solve_members(members, ["combination"], executor, workers, directory, report, progress)
-
-
 def differences(
     case: Case,
     keys: Iterable[str],
@@ -163,32 +144,6 @@ def differences(
         if row["status"] == REFUSED:
             raise CaseError(row["error"])
     return derivatives_of(keys, numbers, table.rows, step)
-
-
-def load_settings(case: Case, factors: Mapping[str, float]) -> dict[str, Any]:
-    """Returns settings that multiply the loads of a case: key -> value."""
-    known = [f"load[{i}]" for i in range(len(case.to_dict().get("load") or []))] + ["gravity"] * ("gravity" in case)
-    for name in factors:
-        if name not in known:
-            raise CaseError(f"{name}: the case has no such load; it has {', '.join(known) or 'none'}")
-    settings = {}
-    for name in known:
-        for key, value in case[name].items():
-            if key in ("force", "pressure", "moment", "acceleration", "couple") and not _is_zero(value):
-                settings[f"{name}.{key}"] = _scaled(value, factors.get(name, 0))
-    return settings
-
-
-def _is_zero(value: Any) -> bool:
-    return all(map(_is_zero, value)) if isinstance(value, (list, tuple)) else value in (None, 0)
-
-
-def _scaled(value: Any, factor: float) -> Any:
-    if isinstance(value, str):
-        return f"{float(factor)!r} * ({value})"
-    if isinstance(value, (list, tuple)):
-        return [_scaled(entry, factor) for entry in value]
-    return value * factor
 
 
 def _members(case: Case, all_settings: Iterable[dict[str, Any]]) -> list[tuple[dict[str, Any], Any]]:

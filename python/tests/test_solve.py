@@ -559,11 +559,12 @@ class TestFiles:
         assert loaded.case.to_dict() == result.case.to_dict()
         assert loaded.unit_of("energy") == "J"
 
-    def test_modes_of_earlier_results_do_not_stay_but_other_files_do(self, result, tmp_path):
-        for name in ("buckling_9.mode", "buckling_kept.mode"):
+    def test_modes_and_envelopes_of_earlier_results_do_not_stay_but_other_files_do(self, result, tmp_path):
+        earlier = {"buckling_9.mode", "buckling_kept.mode", "envelope-all.vtu", "envelope-all.csv"}
+        for name in earlier:
             (tmp_path / name).write_text("")
         result.save(tmp_path)
-        assert [path.name for path in tmp_path.glob("*.mode")] == ["buckling_kept.mode"]
+        assert {path.name for path in tmp_path.iterdir()} & earlier == {"buckling_kept.mode", "envelope-all.csv"}
 
     def test_loaded_results_can_be_saved_shown_and_verified(self, saved, tmp_path):
         loaded = plastron.load(str(saved))

@@ -1,4 +1,4 @@
-"""Sweeps and combinations of loads."""
+"""Sweeps and derivatives."""
 
 import concurrent.futures
 import csv
@@ -10,7 +10,6 @@ import numpy as np
 import plastron
 import pytest
 from conftest import STRIP, quiet
-from plastron.sweeping import load_settings
 from program import plastron as command, python
 
 THICKNESSES = [0.04, 0.05]
@@ -341,87 +340,6 @@ if __name__ == "__main__":
         assert (tmp_path / "table.csv").read_text() == expected
 
 
-LOADS = STRIP.replace("thickness = 0.05", "thickness = 0.05\ndensity = 2.0").replace(
-    "[[load]]\nforce = [0, 0, -2e-5]",
-    """[[load]]
-force = [{0}*1e-6, 0, "{0}*(-2e-5*(1 + x))"]
-
-[[load]]
-pressure = "{1}*(1e-6*y)"
-
-[[load]]
-boundary = "right"
-force = [0, 0, {2}*1e-6]
-
-[[load]]
-boundary = "right"
-couple = [0, {3}*1e-8, 0]
-
-[gravity]
-acceleration = [0, 0, {4}*(-1e-5)]""",
-)
-
-
-def loaded(*factors):
-    """The strip with five loads, written by hand with their factors."""
-    text = LOADS
-    for i, factor in enumerate(factors):
-        text = text.replace(f"{{{i}}}*1e-6, 0, \"", f"{factor * 1e-6!r}, 0, \"").replace(f"\"{{{i}}}*", f"\"{factor!r}*")
-        for number in ("1e-6", "1e-8", "(-1e-5)"):
-            text = text.replace(f"{{{i}}}*{number}", repr(factor * float(number.strip("()"))))
-    return plastron.Case.from_text(text)
-
-
-class TestCombinations:
-    combinations = {
-        "all": {"load[0]": 1, "load[1]": 1, "load[2]": 1, "load[3]": 1, "gravity": 1},
-        "wind": {"load[0]": 1.35, "load[1]": 0.9},
-        "weight": {"gravity": 1.5, "load[2]": -1, "load[3]": 2},
-        "none": {},
-    }
-    factors = {"all": (1, 1, 1, 1, 1), "wind": (1.35, 0.9, 0, 0, 0), "weight": (0, 0, -1, 2, 1.5), "none": (0, 0, 0, 0, 0)}
-
-    def test_a_combination_is_the_case_with_its_factors_written_by_hand(self):
-        table = plastron.combine(loaded(1, 1, 1, 1, 1), self.combinations, workers=1)
-        assert table["combination"] == list(self.combinations) and table.columns[0] == "combination"
-        assert table["status"] == ["solved"] * 4
-        for i, name in enumerate(self.combinations):
-            one = quiet(plastron.solve, loaded(*self.factors[name]))
-            np.testing.assert_allclose(table["energy"][i], one.energy, rtol=1e-9, atol=1e-25)
-            np.testing.assert_allclose([table[f"loads.force_{axis}"][i] for axis in "xyz"], one.loads.force, rtol=1e-12, atol=1e-20)
-        assert len(set(table["energy"])) == 4 and table["energy"][3] == 0
-
-    def test_combinations_go_to_executors_and_folders(self, tmp_path):
-        case = loaded(1, 1, 1, 1, 1)
-        alone = plastron.combine(case, self.combinations, workers=1)
-        with concurrent.futures.ThreadPoolExecutor(2) as executor:
-            assert plastron.combine(case, self.combinations, executor=executor, directory=tmp_path).to_csv() == alone.to_csv()
-        before = times(tmp_path)
-        plastron.combine(case, self.combinations, directory=tmp_path, workers=1)
-        assert times(tmp_path) == before and len(before) == 4
-
-    def test_names_of_combinations_are_texts(self, case):
-        assert plastron.combine(case, {"1": {"load[0]": 1}, "nan": {}}, workers=1)["combination"] == ["1", "nan"]
-
-    def test_settings_multiply_numbers_and_expressions(self):
-        settings = load_settings(loaded(1, 1, 1, 1, 1), {"load[0]": 2, "gravity": 0.5})
-        np.testing.assert_allclose(settings["load[0].force"][:2], [2e-6, 0])
-        assert settings["load[0].force"][2] == "2.0 * (1*(-2e-5*(1 + x)))"
-        assert settings["load[1].pressure"] == "0.0 * (1*(1e-6*y))"
-        assert settings["load[2].force"] == [0, 0, 0] and settings["load[3].couple"] == [0, 0, 0]
-        np.testing.assert_allclose(settings["gravity.acceleration"], [0, 0, -0.5e-5])
-
-    def test_the_factor_one_changes_nothing(self, case, result):
-        other = case.with_settings(load_settings(case, {"load[0]": 1}))
-        assert other["load[0].force"] == case["load[0].force"]
-        assert quiet(plastron.solve, other).energy == result.energy
-
-    @pytest.mark.parametrize("name", ["load[5]", "gravity", "wind"])
-    def test_an_unknown_load_is_refused(self, case, name):
-        with pytest.raises(plastron.CaseError, match=r"the case has no such load; it has load\[0\]"):
-            plastron.combine(case, {"a": {name: 1}})
-
-
 FREE = STRIP.split("[[obstacle]]")[0]
 MOVED = STRIP + """
 [[step]]
@@ -556,14 +474,7 @@ class TestDerivatives:
             plastron.load(tmp_path).derivatives(["shell.E"])
 
 
-class TestLoads:
-    def test_a_pressure_that_follows_can_be_combined(self, case):
-        given = case.to_dict()
-        given["load"] = [{"pressure": -1e-5, "follows": True}]
-        given["shell"] = {"E": 1.0, "nu": 0.3, "thickness": 0.05, "rotations": "finite"}
-        given = {key: value for key, value in given.items() if key in ("shell", "load", "geometry", "support", "mesh")}
-        assert plastron.sweeping.load_settings(plastron.Case.from_dict(given), {"load[0]": 2}) == {"load[0].pressure": -2e-5}
-
+class TestValues:
     def test_a_list_of_values_is_needed(self, case):
         with pytest.raises(TypeError, match="takes a list of values"):
             plastron.sweep(case, {"shell.formulation": "tangent"})

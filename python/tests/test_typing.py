@@ -40,7 +40,9 @@ folder = result.save("out") / "results.json"
 verified: bool = plastron.verify("out").has_passed
 loaded: plastron.Result = plastron.load(folder.parent)
 table: plastron.Table = plastron.sweep(case, {"shell.thickness": [0.01, 0.02]}, workers=2)
-rows: int = len(plastron.combine(case, {"a": {"load[0]": 1.35}}))
+wind: plastron.LoadCase = result.cases["wind"]
+total: "np.ndarray[Any, Any]" = plastron.combine(result, {"weight": 1.35, "wind": 1.5}).fields["u"]
+places: list[str] = result.envelope("service").cases
 chart: list[plastron.Function] = plastron.components(lambda x, y: (x, y, x * y))
 try:
     case.solve()

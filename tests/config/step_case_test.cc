@@ -45,6 +45,17 @@ TEST(Steps, KeepLoadsAndForcesUntilTheyAreGivenAnew) {
   EXPECT_EQ(problem.steps[2].factors.forces, std::vector<double>({1, 1, 3}));
 }
 
+TEST(Envelopes, AreOverAllCasesIfTheyNameNone) {
+  const auto envelopes =
+      problem_with("[[case]]\nname = \"a\"\n[[case]]\n[[envelope]]\n[[envelope]]\nname = \"one\"\ncases = [\"a\"]\n")
+          .output.envelopes;
+  ASSERT_EQ(envelopes.size(), 2U);
+  EXPECT_EQ(envelopes[0].name, "envelope-1");
+  EXPECT_EQ(envelopes[0].cases, std::vector<std::string>({"a", "case-2"}));
+  EXPECT_EQ(envelopes[1].name, "one");
+  EXPECT_EQ(envelopes[1].cases, std::vector<std::string>({"a"}));
+}
+
 TEST(Parts, AreANumberOrChosen) {
   EXPECT_EQ(problem_with("[[step]]\nparts = 3\n").steps[0].parts, 3);
   EXPECT_FALSE(problem_with("[[step]]\nparts = 3\n").steps[0].chooses_parts);

@@ -83,6 +83,64 @@ TEST(Output, of_steps_has_a_file_of_fields_for_each_instant_and_their_history) {
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(commas(lines[i]), commas(lines[0]) + 1);  // one is in the name
 }
 
+/// Two load cases of the plate without obstacle: the second one has -1/2 of the loads of the first.
+problem::Problem two_cases(int refinements) {
+  problem::Problem problem = pressed_plate({.refinements = refinements, .obstacle = false});
+  problem.steps = {{.name = "down"}, {.name = "up"}};
+  problem.steps.back().factors.loads = -0.5;
+  problem.steps_are_cases = true;
+  return problem;
+}
+
+TEST(Output, of_an_envelope_has_the_extreme_values_of_each_field_and_their_cases) {
+  const ScratchDirectory scratch("envelope");
+  Output output(scratch.path, "solution", MPI_COMM_WORLD, false,
+                {.envelopes = {{"both", {"down", "up"}}, {"upwards", {"up"}}, {"never", {"up", "sideways"}}}});
+  const computation::Result result = computation::solve(
+      two_cases(1), MPI_COMM_WORLD,
+      {.instant = [&](const auto& entry, const auto& solution) { output.add_instant(entry, solution); }});
+  EXPECT_THAT(output.finish(result, {}),
+              testing::AllOf(testing::Contains("envelope-both.vtu"), testing::Contains("envelope-upwards.vtu"),
+                             testing::Not(testing::Contains("envelope-never.vtu"))));
+  const VtuFile both = read_vtu(scratch.path / "envelope-both.vtu");
+  const std::array cases{read_vtu(scratch.path / "solution-0001.vtu"), read_vtu(scratch.path / "solution-0002.vtu")};
+  EXPECT_EQ(both.cells, cases[0].cells);
+  EXPECT_EQ(both.arrays.at("points").values, cases[0].arrays.at("reference position").values);
+  EXPECT_EQ(both.arrays.count("thickness_least"), 0U);
+  EXPECT_EQ(both.arrays.at("M_11_least").unit, "N");
+  for (const std::string name : {"displacement", "M_11", "von_mises_upper"}) {
+    const auto& first = cases[0].arrays.at(name).values;
+    const auto& second = cases[1].arrays.at(name).values;
+    for (const bool is_least : {true, false}) {
+      const std::string extreme = name + (is_least ? "_least" : "_largest");
+      const auto& values = both.arrays.at(extreme).values;
+      const auto& of_case = both.arrays.at(extreme + "_case").values;
+      ASSERT_EQ(values.size(), first.size());
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        EXPECT_EQ(values[i], is_least ? std::min(first[i], second[i]) : std::max(first[i], second[i])) << extreme;
+        EXPECT_EQ(values[i], (of_case[i] == 0 ? first : second)[i]) << extreme;
+      }
+      EXPECT_THAT(of_case, testing::Each(testing::AnyOf(0.0, 1.0)));
+      if (name == "M_11") {  // both signs occur
+        EXPECT_THAT(of_case, testing::AllOf(testing::Contains(0.0), testing::Contains(1.0)));
+      }
+    }
+  }
+}
+
+TEST(Output, of_an_envelope_over_different_meshes_has_no_fields) {
+  const ScratchDirectory scratch("envelope-of-meshes");
+  Output output(scratch.path, "solution", MPI_COMM_WORLD, false, {.envelopes = {{"both", {"coarse", "fine"}}}});
+  computation::Result result;
+  for (const char* name : {"coarse", "fine"}) {
+    result = computation::solve(two_cases(result.solution ? 1 : 0), MPI_COMM_WORLD);
+    computation::HistoryEntry entry;
+    entry.step = name;
+    output.add_instant(entry, *result.solution);
+  }
+  EXPECT_THAT(output.finish(result, {}), testing::Not(testing::Contains("envelope-both.vtu")));
+}
+
 TEST(Output, the_resultants_of_results_json_balance) {
   const computation::Result result = computation::solve(pressed_plate({.degree = 2, .refinements = 2}), MPI_COMM_WORLD);
   const Json json = results_json(result, {});

@@ -57,6 +57,7 @@ template <class Value>
 std::vector<Value> values(const std::string& type, const Bytes& bytes) {
   if (type == "Float32") return numbers<float, Value>(bytes);
   if (type == "Float64") return numbers<double, Value>(bytes);
+  if (type == "Int32") return numbers<std::int32_t, Value>(bytes);
   if (type == "Int64") return numbers<std::int64_t, Value>(bytes);
   if (type == "UInt8") return numbers<std::uint8_t, Value>(bytes);
   throw std::runtime_error("unknown type " + type);

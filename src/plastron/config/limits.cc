@@ -84,12 +84,11 @@ const std::vector<Limit>& limits() {
        "a pressure on a small patch by an expression, or a small obstacle with a `force`"},
       {"load-cases",
        {"load-case", "loadcase", "loadcases", "combinations"},
-       "Load cases start from the undeformed shell, and a file has either load cases or steps. Envelopes have numbers: "
-       "no envelopes of fields.",
+       "Load cases start from the undeformed shell, and a file has either load cases or steps. Envelopes have fields "
+       "only where their cases have one mesh.",
        "`history` and `envelopes` in `results.json`",
-       "`[[case]]` and `[[envelope]]`; a `[[probe]]` where the envelope of a field is wanted; `[[step]]` for loads "
-       "that "
-       "follow each other"},
+       "`[[case]]` and `[[envelope]]`; `refinements` in the place of `[accuracy]` for envelopes of fields; `[[step]]` "
+       "for loads that follow each other"},
       {"T-joints",
        {"stiffeners"},
        "`[[join]]` joins edges. An edge cannot be joined to the inside of a shell.",

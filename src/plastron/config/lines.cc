@@ -8,13 +8,6 @@ namespace plastron::config {
 
 namespace {
 
-/// Whether a name can be the name of a file, because lines are written to files.
-bool is_file_name(const std::string& name) {
-  return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-    return (c < 128 && std::isalnum(c) != 0) || c == '-' || c == '_';
-  });
-}
-
 /// Returns equidistant points along a polyline, including its ends.
 std::vector<ShellPlace> along(const std::vector<ShellPlace>& corners, std::size_t count) {
   std::vector<double> reached{0};
@@ -124,6 +117,13 @@ Section arc_section() {
 
 }  // namespace
 
+void check_file_name(const Table& table, const std::string& name, const char* what) {
+  const auto may_stand = [](unsigned char c) { return (c < 128 && std::isalnum(c) != 0) || c == '-' || c == '_'; };
+  if (name.empty() || !std::ranges::all_of(name, may_stand))
+    table.report("name", fmt::format("the name of {} is part of a file's name", what), "letters, digits, - and _",
+                 "choose such a name");
+}
+
 std::vector<Section> probe_sections() { return {probe_section(), line_section(), arc_section()}; }
 
 void read_probes(Table& root, problem::Problem& problem) {
@@ -147,9 +147,7 @@ void read_probes(Table& root, problem::Problem& problem) {
 void read_lines(Table& root, problem::Problem& problem) {
   root.in_tables("line", [&](Table& table) {
     const auto name = table.text("name");
-    if (name && !is_file_name(*name))
-      table.report("name", "the name of a line is part of a file's name", "letters, digits, - and _",
-                   "choose such a name");
+    if (name) check_file_name(table, *name, "a line");
     if (name && std::ranges::count(problem.lines, *name, &problem::Line::name) > 0)
       table.report("name", fmt::format("two lines are named \"{}\"", *name), "", "choose another name");
     problem::Line line{.name = name.value_or("")};

@@ -55,6 +55,9 @@ std::optional<std::string> read_path(Table& table, const std::string& key, const
 /// The same for a mesh file.
 std::optional<std::string> read_mesh_path(Table& table, const std::string& key);
 
+/// Reports a "name" that cannot be part of a file's name. `what`: "a line".
+void check_file_name(const Table& table, const std::string& name, const char* what);
+
 std::vector<Section> accuracy_sections();
 /// Reads the accuracy. Call it after probes, supports and obstacles, because it uses their names.
 void read_accuracy(Table& root, problem::Problem& problem);

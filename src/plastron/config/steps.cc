@@ -189,15 +189,17 @@ bool has_loads(const problem::Problem& problem) {
          problem.shell.sections.have_initial_strains() || std::ranges::any_of(problem.rigid_bodies, is_loaded);
 }
 
-/// Reads the envelopes: they are made from the results (io/envelopes.hpp), and only the effective settings keep them.
-void read_envelopes(Table& root, const problem::Problem& problem) {
-  std::vector<std::string> known, names;
+/// Reads the envelopes, which are made from the results (io/envelopes.hpp).
+void read_envelopes(Table& root, problem::Problem& problem) {
+  std::vector<problem::Envelope>& envelopes = problem.output.envelopes;
+  std::vector<std::string> known;
   for (const problem::Step& load_case : problem.steps) known.push_back(load_case.name);
   root.in_tables("envelope", [&](Table& table) {
-    std::string own = fmt::format("envelope-{}", names.size() + 1);
+    std::string own = fmt::format("envelope-{}", envelopes.size() + 1);
     std::vector<std::string> cases = known;
     if (!problem.steps_are_cases) table.report_here("[[envelope]] has no load cases", "", "add two sections [[case]]");
     if (table.has("name")) own = table.text("name").value_or(own);
+    check_file_name(table, own, "an envelope");
     if (table.has("cases")) cases = table.texts("cases").value_or(known);
     table.effective["name"] = own;
     table.effective["cases"] = cases;
@@ -210,9 +212,9 @@ void read_envelopes(Table& root, const problem::Problem& problem) {
       if (problem.steps_are_cases && std::ranges::count(known, name) == 0)
         table.report("cases", fmt::format("there is no [[case]] \"{}\"", geometry::shortened(name)), joined(known),
                      did_you_mean(name, known));
-    if (std::ranges::count(names, own) > 0)
+    if (std::ranges::count(envelopes, own, &problem::Envelope::name) > 0)
       table.report_here(fmt::format("two [[envelope]] are named \"{}\"", own), "", "choose another name");
-    names.push_back(std::move(own));
+    envelopes.push_back({std::move(own), std::move(cases)});
   });
 }
 
@@ -259,8 +261,9 @@ Section envelope_section() {
   return {"envelope",
           "[[envelope]]",
           "The least and the largest value of each number over load cases, with the case that has it: envelopes in "
-          "results.json.",
-          {key("name", Kind::name, {}, "a name that no other envelope has; envelope-1, ... if not given"),
+          "results.json. envelope-NAME.vtu has those of the fields.",
+          {key("name", Kind::name, {},
+               "a name that no other envelope has, of letters, digits, - and _; envelope-1, ... if not given"),
            key("cases", Kind::names, {}, "names of [[case]]; all of them if not given")}};
 }
 

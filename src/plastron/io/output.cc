@@ -37,7 +37,8 @@ bool is_written(std::string_view name, std::string_view base_name) {
   constexpr std::array exact{results_name, checksums_name, report_name, std::string_view("history.csv"),
                              std::string_view("history.svg")};
   const bool is_of_contact = name.starts_with("contact-"), is_of_line = name.starts_with("line-");
-  const bool are_fields = name.starts_with(base_name) || name.starts_with("obstacles") || name.starts_with("solid");
+  const bool are_fields = name.starts_with(base_name) || name.starts_with("obstacles") || name.starts_with("solid") ||
+                          is_envelope_name(name);
   return std::ranges::find(exact, name) != exact.end() || ((is_of_contact || is_of_line) && name.ends_with(".csv")) ||
          ((is_of_contact || are_fields) && name.ends_with(".vtu")) || is_mode_name(name) ||
          (name.starts_with(base_name) && std::ranges::any_of(std::array{".pvd", ".plastron", ".case.toml"},
@@ -76,13 +77,18 @@ Output::Output(std::filesystem::path directory, std::string base_name, MPI_Comm 
       base_name_(std::move(base_name)),
       files_(comm),
       with_report_(with_report),
-      given_(std::move(given)) {
+      given_(std::move(given)),
+      envelopes_(given_.envelopes.begin(), given_.envelopes.end()) {
   make_directory(directory_, comm);
 }
 
 void Output::add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution) {
   if (!can_be_drawn(solution, files_.comm())) return;
   add_fields(solution, entry.factors.time, fmt::format("-{:04}", ++instants_), true);
+  if (!envelopes_.empty()) {
+    const GridPiece piece = case_piece(solution, {.heights = given_.heights, .units = given_.units});
+    for (EnvelopeFields& envelope : envelopes_) envelope.add(entry.step, piece, files_.comm());
+  }
   if (with_report_) frames_.add(entry, solution);
 }
 
@@ -151,6 +157,12 @@ std::vector<std::string> Output::add_all(const computation::Result& result, Prov
   std::vector<LineTable> tables;
   if (is_drawn) tables = line_tables(*result.solution, lines, given_);
   for (const LineTable& table : tables) add_text(fmt::format("line-{}.csv", table.name), [&] { return table.csv; });
+  for (const EnvelopeFields& envelope : envelopes_)
+    if (envelope.is_complete()) {
+      names_.push_back(envelope.file_name());
+      add_grid(
+          directory_ / names_.back(), [&] { return envelope.piece(); }, given_.double_precision, files_);
+    }
   if (!series_.empty()) {
     names_.push_back(base_name_ + ".pvd");
     add_pvd(series_, directory_ / names_.back(), files_);
@@ -173,8 +185,9 @@ std::vector<std::string> Output::add_all(const computation::Result& result, Prov
   add_checksums();
   files_.commit(results_name);
   if (boundary.empty()) remove_contact_report(directory_, files_.comm());
-  remove_files(directory_, files_.comm(),
-               [&](const std::string& name) { return is_mode_name(name) && std::ranges::count(names_, name) == 0; });
+  remove_files(directory_, files_.comm(), [&](const std::string& name) {
+    return (is_mode_name(name) || is_envelope_name(name)) && std::ranges::count(names_, name) == 0;
+  });
   if (!with_report_) remove_file(directory_ / report_name, files_.comm());
   if (given_.solid_layers == 0) remove_file(directory_ / solid_name, files_.comm());
   names_.emplace_back(results_name);

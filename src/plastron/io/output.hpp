@@ -1,5 +1,6 @@
 // All output files of a computation. In their order, results.json shows that they are complete.
 #pragma once
+#include <plastron/io/envelopes.hpp>
 #include <plastron/io/report_scene.hpp>
 #include <plastron/io/results.hpp>
 #include <plastron/io/vtu.hpp>
@@ -20,8 +21,8 @@ void check_replaceable(const std::filesystem::path& directory, const std::string
 class Output {
  public:
   /// Makes the directory. Files of fields are base_name.vtu, obstacles.vtu, and base_name.pvd with the names of both.
-  /// Files of instants are base_name-0001.vtu and so on, with solid.vtu beside them if `given` requests it. report.html
-  /// is written unless `with_report` is false. Files of an earlier run that are not requested are removed.
+  /// Files of instants are base_name-0001.vtu and so on, with solid.vtu beside them if `given` requests it. Each envelope of
+  /// `given` whose cases have one mesh has a file envelope-NAME.vtu. report.html is written unless `with_report` is false. Files of an earlier run that are not requested are removed.
   Output(std::filesystem::path directory, std::string base_name, MPI_Comm comm, bool with_report = true,
          problem::Output given = {});
 
@@ -49,6 +50,7 @@ class Output {
   AtomicFiles files_;
   bool with_report_;
   problem::Output given_;
+  std::vector<EnvelopeFields> envelopes_{};
   std::vector<DataSet> series_{};
   SceneFrames frames_{};
   int instants_ = 0;

@@ -54,12 +54,17 @@ std::string attributes_of(const GridArray& array) {
   return text;
 }
 
+template <class T>
+std::string array_as(const std::string& attributes, const std::vector<double>& values) {
+  std::vector<T> rounded;
+  rounded.reserve(values.size());
+  for (const double value : values) rounded.push_back(static_cast<T>(value));
+  return data_array(attributes, rounded);
+}
+
 std::string real_array(const std::string& attributes, const std::vector<double>& values, bool is_double) {
   if (is_double) return data_array("type=\"Float64\" " + attributes, values);
-  std::vector<float> rounded;
-  rounded.reserve(values.size());
-  for (const double value : values) rounded.push_back(static_cast<float>(value));
-  return data_array("type=\"Float32\" " + attributes, rounded);
+  return array_as<float>("type=\"Float32\" " + attributes, values);
 }
 
 std::string cells_text(const GridPiece& piece) {
@@ -85,7 +90,9 @@ std::vector<std::string> arrays_text(const std::vector<GridArray>& arrays, bool 
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t k = next++; k < texts.size(); k = next++)
-      texts[k] = real_array(attributes_of(arrays[k]), arrays[k].values, is_double);
+      texts[k] = arrays[k].are_integers
+                     ? array_as<std::int32_t>("type=\"Int32\" " + attributes_of(arrays[k]), arrays[k].values)
+                     : real_array(attributes_of(arrays[k]), arrays[k].values, is_double);
   };
   std::vector<std::future<void>> others;
   for (int thread = 1; thread < algebra::most_threads() && std::ranges::any_of(arrays, has_many_values); ++thread)

@@ -14,6 +14,7 @@ struct GridArray {
   std::string name, unit;
   int components = 1;
   std::vector<double> values{};
+  bool are_integers = false;
 };
 
 /// VTK's numbers of cell types.

@@ -106,6 +106,12 @@ struct Imperfection {
 };
 
 /// Form of the results.
+/// Load cases whose numbers and fields are compared.
+struct Envelope {
+  std::string name;
+  std::vector<std::string> cases{};
+};
+
 struct Output {
   std::optional<Eigen::Vector3d> axis{};  ///< direction that t1 follows, projected on the surface; empty: d phi/dx
   bool smooth = true;                     ///< recovered over patches of cells; otherwise in each cell alone
@@ -114,6 +120,7 @@ struct Output {
   bool double_precision = false;  ///< double precision of the numbers in .vtu files
   int solid_layers = 0;           ///< layers of cells through the thickness in solid.vtu; 0: no such file
   UnitNames units{};              ///< names in texts and files
+  std::vector<Envelope> envelopes{};
 };
 
 struct Problem {
