@@ -2,6 +2,7 @@
 // 26 000, 103 000, 410 000 and 1 640 000 unknowns; without arguments all problems at degree 2 and 4 to size 2.
 #include "problems.hpp"
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/session.hpp>
 #include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
@@ -35,7 +36,7 @@ std::vector<double> memory_by_rank() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double mine = 1024.0 * static_cast<double>(usage.ru_maxrss) / 1e9;
-  return algebra::gather_over_ranks(std::array{mine}, MPI_COMM_WORLD);
+  return algebra::gathered(std::array{mine}, MPI_COMM_WORLD);
 }
 
 void report(const std::string& name, int degree, int size) {

@@ -2,9 +2,15 @@
 #include <plastron/algebra/layout.hpp>
 #include <plastron/algebra/vector.hpp>
 
-#include <numeric>
+#include <fmt/core.h>
 
-namespace plastron::algebra::gathering {
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace plastron::algebra {
+
+namespace gathering {
 
 Plan plan(std::size_t mine, MPI_Comm comm) {
   int ranks = 1;
@@ -37,4 +43,22 @@ bool receives(Receivers receivers, MPI_Comm comm) {
   return receivers == Receivers::every_rank || rank == 0;
 }
 
-}  // namespace plastron::algebra::gathering
+}  // namespace gathering
+
+void check_gathered(std::int64_t items) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (items > most)
+    throw std::length_error(
+        fmt::format("{} values of all processes would come together on each one, more than the {} that MPI can count: "
+                    "take a coarser mesh",
+                    items, most));
+}
+
+std::vector<double> sums_over_ranks(std::span<const double> mine, MPI_Comm comm) {
+  const std::vector<double> all = gathered(mine, comm);
+  std::vector<double> sums(mine.size(), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) sums[i % sums.size()] += all[i];
+  return sums;
+}
+
+}  // namespace plastron::algebra

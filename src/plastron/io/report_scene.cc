@@ -280,7 +280,7 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
       for (std::size_t d = 0; d < 3; ++d) mine.push_back(solution.y.local()[6 * node + d]);
     }
   }
-  const std::vector<double> all = algebra::gather_over_ranks(mine, space.layout->comm);
+  const std::vector<double> all = algebra::gathered(mine, space.layout->comm);
   std::vector<std::vector<double>> sides;
   for (std::size_t at = 0; at < all.size(); at += size)
     sides.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(at),

@@ -1,5 +1,6 @@
 #include <plastron/solution/support_shares.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/solution/place_order.hpp>
@@ -246,7 +247,7 @@ void SupportShares::find_corners(const assembly::DiscreteShell& discrete, const 
     for (const std::size_t b : boundaries) corner.reach = std::min(corner.reach, most_of_edge * lengths[b]);
     pack(corner, mine);
   }
-  const std::vector<double> numbers = algebra::gather_over_ranks(mine, comm);
+  const std::vector<double> numbers = algebra::gathered(mine, comm);
   for (std::span<const double> rest(numbers); !rest.empty();) corners_.push_back(unpacked(rest));
   double size = 0;
   for (const assembly::NodalPoint& p : discrete.points) size = std::max(size, p.phi.cwiseAbs().maxCoeff());
