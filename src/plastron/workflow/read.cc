@@ -73,6 +73,15 @@ void show_shell(const config::Case& c) {
   }
 }
 
+template <class... Errors>
+bool is_one_of(const std::exception& error) {
+  return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
+}
+
+RefusedCase refusal(const std::exception& error) {
+  return RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
+}
+
 bool is_first_rank(MPI_Comm comm) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
@@ -82,23 +91,13 @@ bool is_first_rank(MPI_Comm comm) {
 }  // namespace
 
 void refusing(const std::function<void()>& work) {
-  const auto refuse = [](const std::exception& error) {
-    throw RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
-  };
   try {
     work();
-  } catch (const mesh::DomainError& error) {
-    refuse(error);
-  } catch (const assembly::SupportError& error) {
-    refuse(error);
-  } catch (const obstacle::ObstacleError& error) {
-    refuse(error);
-  } catch (const energy::LoadError& error) {
-    refuse(error);
-  } catch (const geometry::FunctionError& error) {
-    refuse(error);
-  } catch (const computation::SensitivityError& error) {
-    refuse(error);
+  } catch (const std::exception& error) {
+    if (!is_one_of<mesh::DomainError, assembly::SupportError, obstacle::ObstacleError, energy::LoadError,
+                   geometry::FunctionError, computation::SensitivityError>(error))
+      throw;
+    throw refusal(error);
   }
 }
 
@@ -115,7 +114,7 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
     try {
       read_modes(c.problem);
     } catch (const io::UnusableResults& error) {
-      throw RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
+      throw refusal(error);
     }
   });
   try {
