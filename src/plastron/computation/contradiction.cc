@@ -1,7 +1,7 @@
-#include <plastron/computation/contradiction.hpp>
-
+// Why there is no solution, in words: bounds leave the shell no room, or a motion has no stiffness.
 #include <plastron/algebra/gathered.hpp>
 #include <plastron/assembly/box_problem.hpp>
+#include <plastron/computation/warnings.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/finite/modes.hpp>
 

@@ -1,5 +1,5 @@
 #include <plastron/algebra/assertion.hpp>
-#include <plastron/computation/cell_depths.hpp>
+#include <plastron/fem/cell_depths.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-namespace plastron::computation {
+namespace plastron::fem {
 
 namespace {
 
@@ -122,4 +122,4 @@ double least_in_cell(mesh::Shape shape, int intervals, double tolerance,
   return least;
 }
 
-}  // namespace plastron::computation
+}  // namespace plastron::fem
