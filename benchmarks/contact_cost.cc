@@ -6,7 +6,7 @@
 #include <plastron/algebra/session.hpp>
 #include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +44,7 @@ void report(const std::string& name, int degree, int size) {
   const computation::Result result = computation::solve(problem_of(name, degree, size), MPI_COMM_WORLD);
   const double solving = watch.lap();
   const auto directory = std::filesystem::temp_directory_path() / "plastron-contact-cost";
-  io::write_output(result, {}, directory, "solution", MPI_COMM_WORLD);
+  workflow::write_output(result, {}, directory, "solution", MPI_COMM_WORLD);
   const double output = watch.lap();
   const std::vector<double> memory = memory_by_rank();
   int rank = 0;

@@ -242,12 +242,6 @@ void AtomicFiles::commit(std::string_view sign) {
 
 AtomicFiles::~AtomicFiles() { remove_temporary_directory(); }
 
-void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
-  AtomicFiles one(comm);
-  one.add(path, piece);
-  one.commit();
-}
-
 void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::vector<std::filesystem::path>& made) {
   together("make the directory", directory, comm, [&] {
     for (auto above = directory; !above.empty() && !std::filesystem::exists(above); above = above.parent_path()) {

@@ -78,7 +78,7 @@ bool is_one_of(const std::exception& error) {
   return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
 }
 
-RefusedCase refusal(const std::exception& error) {
+RefusedCase refused(const std::exception& error) {
   return RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
 }
 
@@ -97,7 +97,7 @@ void refusing(const std::function<void()>& work) {
     if (!is_one_of<mesh::DomainError, assembly::SupportError, obstacle::ObstacleError, energy::LoadError,
                    geometry::FunctionError, computation::SensitivityError>(error))
       throw;
-    throw refusal(error);
+    throw refused(error);
   }
 }
 
@@ -114,7 +114,7 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
     try {
       read_modes(c.problem);
     } catch (const io::UnusableResults& error) {
-      throw refusal(error);
+      throw refused(error);
     }
   });
   try {

@@ -3,15 +3,15 @@
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
-#include <plastron/io/report_scene.hpp>
 #include <plastron/mesh/reference_cell.hpp>
+#include <plastron/report/report_scene.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -159,7 +159,7 @@ std::vector<std::int64_t> cells_by_level(const fem::Space& space) {
 }  // namespace
 
 std::vector<Field> report_fields(const Ingredients& ingredients) {
-  auto fields = fields_of(ingredients);
+  auto fields = io::fields_of(ingredients);
   std::erase_if(fields, [](const Field& field) {
     return field.key.starts_with("frame/t") || field.key.ends_with("_direction") || field.key.ends_with("_face");
   });
@@ -193,7 +193,7 @@ namespace {
 
 Json row_json(const std::vector<float>& row) {
   const bool is_constant = !row.empty() && std::ranges::all_of(row, [&](float value) { return value == row.front(); });
-  return is_constant ? number(row.front()) : Json(base64_of_numbers(row));
+  return is_constant ? io::number(row.front()) : Json(io::base64_of_numbers(row));
 }
 
 Json fields_json(const SampledSurface& surface, const problem::UnitNames& units) {
@@ -212,7 +212,7 @@ Json fields_json(const SampledSurface& surface, const problem::UnitNames& units)
   for (const computation::Mode& mode : surface.modes) {
     Json values = Json::array();
     for (int d = 0; d < 3; ++d) values.push_back(row_json(surface.rows[row++]));
-    list.push_back(field_json(mode));
+    list.push_back(io::field_json(mode));
     list.back()["is_mode"] = true;
     list.back()["values"] = std::move(values);
   }
@@ -229,14 +229,14 @@ Json obstacle_json(const obstacle::TriangleMesh& mesh, const std::string& name) 
   std::vector<std::uint32_t> corners;
   for (const auto& triangle : mesh.triangles)
     for (const auto corner : triangle) corners.push_back(static_cast<std::uint32_t>(corner));
-  return {{"name", name}, {"points", base64_of_numbers(points)}, {"triangles", base64_of_numbers(corners)}};
+  return {{"name", name}, {"points", io::base64_of_numbers(points)}, {"triangles", io::base64_of_numbers(corners)}};
 }
 
-Json obstacles_json(const std::vector<DrawnObstacle>& all, const solution::Summary& summary) {
+Json obstacles_json(const std::vector<io::DrawnObstacle>& all, const solution::Summary& summary) {
   constexpr std::size_t most_triangles = 60'000;  // in total: 1.3 MB
   Json list = Json::array();
-  for (const DrawnObstacle& drawn : all)
-    list.push_back(obstacle_json(thinned_surface(drawn.surface, most_triangles / all.size()),
+  for (const io::DrawnObstacle& drawn : all)
+    list.push_back(obstacle_json(io::thinned_surface(drawn.surface, most_triangles / all.size()),
                                  summary.obstacles.at(drawn.number).name));
   return list;
 }
@@ -253,8 +253,8 @@ Json lines_json(const solution::Summary& summary) {
         }
         list.push_back({{"obstacle", o},
                         {"rim", line.is_rim},
-                        {"points", base64_of_numbers(points)},
-                        {"displacements", base64_of_numbers(displacements)}});
+                        {"points", io::base64_of_numbers(points)},
+                        {"displacements", io::base64_of_numbers(displacements)}});
       }
   return list;
 }
@@ -295,8 +295,8 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
         displacements.push_back(static_cast<float>(side[4 + 6 * k + d]));
       }
     list.push_back({{"boundary", names[static_cast<std::size_t>(side.front())]},
-                    {"points", base64_of_numbers(points)},
-                    {"displacements", base64_of_numbers(displacements)}});
+                    {"points", io::base64_of_numbers(points)},
+                    {"displacements", io::base64_of_numbers(displacements)}});
   }
   return list;
 }
@@ -314,7 +314,7 @@ void SceneFrames::add(const computation::HistoryEntry& entry, const computation:
   constexpr std::int64_t most_values = 1'500'000;  // 8 MB on the page
   if (seen_++ % every_ != 0) return;
   const assembly::DiscreteShell& discrete = *solution.discrete;
-  SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(ingredients_of(discrete)));
+  SampledSurface surface = sampled_surface(solution, most_points, fields_of_frames(io::ingredients_of(discrete)));
   std::vector<obstacle::Placement> places;
   for (std::size_t k = 0; k < discrete.obstacles.all.size(); ++k) places.push_back(discrete.obstacles.now(k).placement);
   frames_.push_back({entry.factors.time, entry.step, std::move(surface.drawing), std::move(surface.fields),
@@ -356,17 +356,17 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
   const assembly::DiscreteShell& discrete = *solution.discrete;
   const fem::Space& space = discrete.space();
   const SampledSurface surface =
-      sampled_surface(solution, most_points, report_fields(ingredients_of(discrete)), solution.modes);
-  const obstacle::Extent extent = surroundings(solution);
+      sampled_surface(solution, most_points, report_fields(io::ingredients_of(discrete)), solution.modes);
+  const obstacle::Extent extent = io::surroundings(solution);
   const Json supports = supports_json(discrete, solution.nodal);
   int rank = 0;
   MPI_Comm_rank(space.layout->comm, &rank);
   return algebra::in_agreement(space.layout->comm, [&] {
     if (rank != 0 || surface.rows.empty()) return Json(nullptr);
-    const auto obstacles = drawn_obstacles(discrete.obstacles, extent);
+    const auto obstacles = io::drawn_obstacles(discrete.obstacles, extent);
     std::vector<std::size_t> drawn;
     drawn.reserve(obstacles.size());
-    for (const DrawnObstacle& obstacle : obstacles) drawn.push_back(obstacle.number);
+    for (const io::DrawnObstacle& obstacle : obstacles) drawn.push_back(obstacle.number);
     return Json{{"shape", space.shape() == mesh::Shape::triangle ? "triangle" : "quadrilateral"},
                 {"subdivisions", surface.cells.subdivisions},
                 {"cells", surface.cells.count},
@@ -383,4 +383,4 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
   });
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,4 +1,4 @@
-#include <plastron/io/surface_scene.hpp>
+#include <plastron/report/surface_scene.hpp>
 
 #include <plastron/io/bytes.hpp>
 #include <plastron/topology/disjoint_sets.hpp>
@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -51,12 +51,12 @@ class SceneBuilder {
       number.push_back(static_cast<double>(cell.tag));
     }
     scene["origin"] = {origin[0], origin[1], origin[2]};
-    scene["positions"] = base64_of_numbers(points);
-    scene["normals"] = base64_of_numbers(normals);
-    scene["region"] = base64_of_numbers(region);
-    scene["line"] = base64_of_numbers(line);
-    scene["turned"] = base64_of_numbers(turned);
-    scene["number"] = base64_of_numbers(number);
+    scene["positions"] = io::base64_of_numbers(points);
+    scene["normals"] = io::base64_of_numbers(normals);
+    scene["region"] = io::base64_of_numbers(region);
+    scene["line"] = io::base64_of_numbers(line);
+    scene["turned"] = io::base64_of_numbers(turned);
+    scene["number"] = io::base64_of_numbers(number);
   }
 
   void add_edges(Json& scene) const {
@@ -75,11 +75,11 @@ class SceneBuilder {
       }
     }
     scene["edges"] = {{"kinds", kind_names},
-                      {"kind", base64_of_numbers(kind)},
-                      {"angle", base64_of_numbers(angle)},
-                      {"doubtful", base64_of_numbers(doubtful)},
-                      {"places", base64_of_numbers(places)},
-                      {"sides", base64_of_numbers(sides)}};
+                      {"kind", io::base64_of_numbers(kind)},
+                      {"angle", io::base64_of_numbers(angle)},
+                      {"doubtful", io::base64_of_numbers(doubtful)},
+                      {"places", io::base64_of_numbers(places)},
+                      {"sides", io::base64_of_numbers(sides)}};
   }
 
   Json curves_json() const {
@@ -90,8 +90,8 @@ class SceneBuilder {
       list.push_back({{"name", curve.name},
                       {"is_name", curve.has_name()},
                       {"kinds", kinds_text(curve)},
-                      {"edges", base64_of_numbers(edges)},
-                      {"marks", base64_of_numbers(marks_of(curve))}});
+                      {"edges", io::base64_of_numbers(edges)},
+                      {"marks", io::base64_of_numbers(marks_of(curve))}});
     }
     return list;
   }
@@ -231,4 +231,4 @@ Json surface_scene_json(const domain::FileSurface& surface, const std::vector<Re
   return scene;
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,18 +1,18 @@
 // The page of a mesh in space: its scene is the mesh, its tables are the parts, names remain texts.
 #include "domain/space_surface.hpp"
 
-#include <plastron/io/embedded_page.hpp>
-#include <plastron/io/surface_page.hpp>
-#include <plastron/io/surface_scene.hpp>
+#include <plastron/report/embedded_page.hpp>
+#include <plastron/report/surface_page.hpp>
+#include <plastron/report/surface_scene.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <io/decoded_base64.hpp>
+#include <report/decoded_base64.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace plastron::io::surface_page_tests {
+namespace plastron::report::surface_page_tests {
 
 namespace {
 
@@ -179,4 +179,4 @@ TEST(SurfacePage, has_a_name_that_replaces_no_mesh) {
 
 }  // namespace
 
-}  // namespace plastron::io::surface_page_tests
+}  // namespace plastron::report::surface_page_tests

@@ -1,4 +1,4 @@
-#include <plastron/io/surface_parts.hpp>
+#include <plastron/report/surface_parts.hpp>
 
 #include <plastron/topology/surface_patch.hpp>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::string kinds_text(const CurvePart& curve) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

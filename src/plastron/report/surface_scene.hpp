@@ -2,9 +2,11 @@
 // with regions, and the edges that are drawn, with their kinds and names. readParts() in viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/io/quantities.hpp>
-#include <plastron/io/surface_parts.hpp>
+#include <plastron/report/surface_parts.hpp>
 
-namespace plastron::io {
+namespace plastron::report {
+
+using io::Json;
 
 /// Largest number of points of the view. Below `most_smooth_points` cells of order 2 or more are drawn with several facets.
 inline constexpr std::size_t most_parts_points = 1'000'000, most_smooth_points = 200'000;
@@ -25,4 +27,4 @@ int parts_subdivisions(const topology::SpaceMesh& mesh, std::size_t most_points 
 Json surface_scene_json(const domain::FileSurface& surface, const std::vector<RegionPart>& regions,
                         const std::vector<CurvePart>& curves, std::size_t most_points = most_parts_points);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

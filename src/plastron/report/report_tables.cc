@@ -1,8 +1,8 @@
-#include <plastron/io/report.hpp>
+#include <plastron/report/report.hpp>
 
 #include <plastron/estimation/goal_record.hpp>
-#include <plastron/io/report_html.hpp>
 #include <plastron/io/result_plots.hpp>
+#include <plastron/report/report_html.hpp>
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -234,7 +234,7 @@ std::string estimates_html(const Json& results) {
     const double size = is_known ? scale.get<double>() : 0;
     std::vector<std::string> row{html_text(plain_words(goals[k]["name"])), html_number(value, path + "value", size),
                                  html_text(plain_words(goals[k]["unit"])), html_number(error, path + "error"),
-                                 html_number(number(relative))};
+                                 html_number(io::number(relative))};
     if (has_mesh) row.push_back(html_number(goals[k]["geometry_error"], path + "geometry_error"));
     row.push_back(tolerance.is_null() ? "" : html_number(tolerance, path + "tolerance"));
     row.emplace_back(is_missed ? "<strong>missed</strong>" : is_asked ? "&#10003; reached" : "");
@@ -265,7 +265,7 @@ std::string balance_html(const Json& results) {
     for (int d = 0; d < 3; ++d) {
       double sum = 0;
       for (const Carrier& carrier : all) sum += component(results, fmt::format("{}{}/{}", carrier.path, what, d));
-      sums.push_back(html_number(number(sum), "", scale(what)));
+      sums.push_back(html_number(io::number(sum), "", scale(what)));
     }
   table.row(sums, "sum");
   return table.text() +
@@ -318,8 +318,8 @@ std::string probes_html(const Json& results) {
 
 std::string certificate_html(const Json& results) {
   HtmlTable table({"<row", "value", "limit", "<unit", "<", "<why this limit"});
-  const problem::UnitNames units = unit_names(results);
-  for (const auto& quantity : certificate_quantities()) {
+  const problem::UnitNames units = io::unit_names(results);
+  for (const auto& quantity : io::certificate_quantities()) {
     const std::string row(quantity.path), path = "certificate/" + row, limit_path = "certificate_limits/" + row;
     const Json& limit = at_path(results, limit_path);
     const bool holds = !limit.is_null() && limit["holds"] == Json(true);
@@ -368,4 +368,4 @@ std::string files_html(const Json& results) {
   return "<p class=\"files\"><a href=\"results.json\">results.json</a> " + list + "</p>\n";
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace plastron::io {
+namespace plastron::report {
 
 struct RegionPart {
   std::string name;                   ///< empty: the file gives none
@@ -51,4 +51,4 @@ std::string kinds_text(const CurvePart& curve);
 /// Returns "border", "smooth", "fold" or "branch".
 std::string_view kind_word(topology::EdgeKind kind);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace plastron::io {
+namespace plastron::report {
 
 inline std::string decoded(const std::string& text) {
   const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -29,4 +29,4 @@ std::vector<Number> decoded_numbers(const std::string& text) {
   return numbers;
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,6 +1,6 @@
-#include <plastron/io/embedded_page.hpp>
+#include <plastron/report/embedded_page.hpp>
 
-#include <plastron/io/report_html.hpp>
+#include <plastron/report/report_html.hpp>
 
 // Defined in embedded_page.S, which includes the files without change.
 extern "C" {
@@ -10,7 +10,7 @@ extern const char plastron_script_begin[], plastron_script_end[];
 extern const char plastron_script_source_begin[], plastron_script_source_end[];
 }
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::string view_place_html() {
          "this page do not.</p></noscript></div>\n";
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

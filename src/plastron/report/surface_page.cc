@@ -1,16 +1,16 @@
-#include <plastron/io/surface_page.hpp>
+#include <plastron/report/surface_page.hpp>
 
-#include <plastron/io/embedded_page.hpp>
-#include <plastron/io/report_html.hpp>
 #include <plastron/io/results.hpp>
-#include <plastron/io/surface_scene.hpp>
+#include <plastron/report/embedded_page.hpp>
+#include <plastron/report/report_html.hpp>
+#include <plastron/report/surface_scene.hpp>
 #include <plastron/topology/space_mesh.hpp>
 
 #include <fmt/format.h>
 
 #include <numbers>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -88,7 +88,7 @@ std::string surface_page_html(const SurfacePage& page) {
   const std::string file = html_text(valid_utf8(std::filesystem::path(page.file).filename().string()));
   return page_html({.title = "Parts of " + file,
                     .kind = "parts",
-                    .version = std::string(version),
+                    .version = std::string(io::version),
                     .content = warnings_html(page.findings) + view_html(scene) +
                                html_section("regions", "Regions", regions_html(page.regions)) +
                                html_section("curves", "Curves and folds", curves_html(page.curves)) +
@@ -107,4 +107,4 @@ std::string page_name_mistake(const std::filesystem::path& path, const std::file
   return "";
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

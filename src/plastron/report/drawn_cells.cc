@@ -1,4 +1,4 @@
-#include <plastron/io/drawn_cells.hpp>
+#include <plastron/report/drawn_cells.hpp>
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::vector<std::vector<float>> redrawn(const std::vector<std::vector<float>>& r
   return result;
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

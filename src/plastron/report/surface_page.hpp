@@ -2,13 +2,13 @@
 // It opens in any browser without a network, like report.html, and shares its script (viewer/).
 #pragma once
 #include <plastron/io/quantities.hpp>
-#include <plastron/io/surface_parts.hpp>
+#include <plastron/report/surface_parts.hpp>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace plastron::io {
+namespace plastron::report {
 
 /// A finding of the examination.
 struct PageFinding {
@@ -31,4 +31,4 @@ std::string surface_page_html(const SurfacePage& page);
 /// Returns why the page cannot have this name: a name without ending .html, or an input. Empty if it can.
 std::string page_name_mistake(const std::filesystem::path& path, const std::filesystem::path& mesh);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,4 +1,4 @@
-#include <plastron/io/report_html.hpp>
+#include <plastron/report/report_html.hpp>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace plastron::io {
+namespace plastron::report {
 
 std::string valid_utf8(const std::string& text) {
   return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
@@ -117,4 +117,4 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
   return result.append(page);
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

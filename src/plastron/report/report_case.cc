@@ -1,13 +1,13 @@
-#include <plastron/io/report.hpp>
+#include <plastron/report/report.hpp>
 
-#include <plastron/io/report_html.hpp>
+#include <plastron/report/report_html.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <initializer_list>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::string case_html(const Json& settings) {
   return text.empty() ? "" : "<dl class=\"case\">\n" + text + "</dl>\n";
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace plastron::io {
+namespace plastron::report {
 
 /// Drawn cells, which may be blocks of the mesh's cells.
 struct DrawnCells {
@@ -44,4 +44,4 @@ struct Drawing {
 std::vector<std::vector<float>> redrawn(const std::vector<std::vector<float>>& rows, const Drawing& from,
                                         const Drawing& to);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

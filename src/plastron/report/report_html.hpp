@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
-namespace plastron::io {
+namespace plastron::report {
+
+using io::Json;
 
 /// Returns the text with invalid UTF-8 replaced by U+FFFD.
 std::string valid_utf8(const std::string& text);
@@ -45,4 +47,4 @@ const Json& at_path(const Json& json, std::string_view path);
 /// std::logic_error for unknown names.
 std::string filled(std::string_view page, const std::vector<std::pair<std::string_view, std::string>>& values);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -2,16 +2,18 @@
 // shell, obstacles, boundaries of contact zones, supported edges. viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/computation/result.hpp>
-#include <plastron/io/drawn_cells.hpp>
 #include <plastron/io/fields.hpp>
 #include <plastron/io/quantities.hpp>
 #include <plastron/problem/unit_names.hpp>
+#include <plastron/report/drawn_cells.hpp>
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace plastron::io {
+namespace plastron::report {
+
+using io::Field, io::Ingredients, io::Json;
 
 /// The deformed surface: all fields at a limited number of points, in single precision.
 struct SampledSurface {
@@ -69,4 +71,4 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
                 const problem::UnitNames& units = {}, const SceneFrames& frames = {},
                 std::int64_t most_points = most_report_points);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,26 +1,28 @@
 // report.html: its data are those of results.json and of the solution, nothing of the case becomes markup, and it stays small.
 #include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
-#include <plastron/io/output.hpp>
-#include <plastron/io/report.hpp>
-#include <plastron/io/report_html.hpp>
-#include <plastron/io/report_scene.hpp>
+#include <plastron/report/report.hpp>
+#include <plastron/report/report_html.hpp>
+#include <plastron/report/report_scene.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <io/decoded_base64.hpp>
 #include <io/pressed_plate.hpp>
 #include <io/scratch_directory.hpp>
+#include <report/decoded_base64.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
+using namespace io;  // NOLINT: what a page is made of, and helpers of tests
 using testing::HasSubstr;
 using testing::Not;
+using workflow::Output, workflow::write_output;
 
 /// The content of the script element of that name as the browser's parser takes it: up to the first "</script".
 std::string block(const std::string& page, const std::string& id) {
@@ -328,4 +330,4 @@ TEST(ThinnedSurface, has_few_triangles_with_points_of_its_own) {
 
 }  // namespace
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,15 +1,15 @@
-#include <plastron/io/report.hpp>
+#include <plastron/report/report.hpp>
 
 #include <plastron/io/bytes.hpp>
-#include <plastron/io/embedded_page.hpp>
 #include <plastron/io/plot.hpp>
-#include <plastron/io/report_html.hpp>
-#include <plastron/io/report_scene.hpp>
 #include <plastron/io/result_plots.hpp>
+#include <plastron/report/embedded_page.hpp>
+#include <plastron/report/report_html.hpp>
+#include <plastron/report/report_scene.hpp>
 
 #include <fmt/format.h>
 
-namespace plastron::io {
+namespace plastron::report {
 
 namespace {
 
@@ -33,18 +33,19 @@ std::string view_html(const Json& results, const Json& scene, bool has_script) {
 }
 
 /// Returns the plots as pictures with separate styles and names.
-std::string plots_html(const std::vector<NamedPlot>& plots) {
+std::string plots_html(const std::vector<io::NamedPlot>& plots) {
   std::string html;
   for (const auto& [name, plot] : plots)
     html += fmt::format("<img class=\"plot\" alt=\"{}: {} over {}\" src=\"data:image/svg+xml;base64,{}\">\n",
                         html_text(valid_utf8(plot.title)), html_text(valid_utf8(plot.y.label)),
-                        html_text(valid_utf8(plot.x.label)), base64(valid_utf8(svg_text(plot, PlotLayout::narrow))));
+                        html_text(valid_utf8(plot.x.label)),
+                        io::base64(valid_utf8(io::svg_text(plot, io::PlotLayout::narrow))));
   return html.empty() ? "" : "<div class=\"plots\">\n" + html + "</div>\n";
 }
 
 std::string profiles_html(const std::vector<LineTable>& lines) {
   std::string html;
-  for (const LineTable& line : lines) html += plots_html(line_plots(line.name, line.csv));
+  for (const LineTable& line : lines) html += plots_html(io::line_plots(line.name, line.csv));
   return html;
 }
 
@@ -59,7 +60,7 @@ std::string content_html(const Json& results, const Json& scene, const std::vect
          html_section("contact", "Contact zones", contact_html(results)) +
          html_section("probes", "Probes", probes_html(results)) +
          html_section("lines", "Profiles along lines", profiles_html(lines)) +
-         html_section("plots", "Plots", plots_html(result_plots(results))) +
+         html_section("plots", "Plots", plots_html(io::result_plots(results))) +
          html_section("certificate", "Certificate", certificate_html(results)) +
          html_section("levels", "Meshes", levels_html(results)) +
          html_section("history", "Steps", history_html(results)) + html_section("files", "Files", files_html(results));
@@ -73,7 +74,7 @@ std::string report_html(const Json& results, const Json& scene, const std::vecto
   return page_html({.title = html_text(given.empty() ? "A shell computed by Plastron" : given),
                     .kind = "report",
                     .version = html_text(plain_words(at_path(results, "versions/plastron"))),
-                    .content = unit_names(results).renamed(content_html(results, scene, lines, has_script)),
+                    .content = io::unit_names(results).renamed(content_html(results, scene, lines, has_script)),
                     .footer = "This page needs no network; all numbers are those of results.json, which it holds.",
                     .results = script_json(results),
                     .scene = script_json(has_script ? scene : Json(nullptr))});
@@ -85,9 +86,9 @@ void add_report(const computation::Result& result, const Provenance& provenance,
   const bool has_view = is_drawn && !embedded_page().script.empty();
   const Json scene = has_view ? scene_json(*result.solution, result.summary, provenance.units, frames) : Json(nullptr);
   files.add_text(directory / report_name, [&] {
-    const std::string text = results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = io::results_json(result, provenance).dump(-1, ' ', false, Json::error_handler_t::replace);
     return report_html(Json::parse(text), scene, lines);
   });
 }
 
-}  // namespace plastron::io
+}  // namespace plastron::report

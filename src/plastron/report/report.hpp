@@ -3,12 +3,14 @@
 #pragma once
 #include <plastron/io/csv_tables.hpp>
 #include <plastron/io/quantities.hpp>
-#include <plastron/io/report_scene.hpp>
 #include <plastron/io/results.hpp>
+#include <plastron/report/report_scene.hpp>
 
 #include <string>
 
-namespace plastron::io {
+namespace plastron::report {
+
+using io::AtomicFiles, io::LineTable, io::Provenance;
 
 inline constexpr std::string_view report_name = "report.html";
 
@@ -45,4 +47,4 @@ std::string files_html(const Json& results);
 /// Returns a list of terms and descriptions as HTML; empty if a caller of the library gave no settings.
 std::string case_html(const Json& settings);
 
-}  // namespace plastron::io
+}  // namespace plastron::report

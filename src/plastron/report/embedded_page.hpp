@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace plastron::io {
+namespace plastron::report {
 
 struct EmbeddedPage {
   std::string_view page;    ///< HTML with places {{...}}, see page_html()
@@ -25,4 +25,4 @@ std::string page_html(const PageContent& content);
 /// Returns the place of the three-dimensional view, which the script fills.
 std::string view_place_html();
 
-}  // namespace plastron::io
+}  // namespace plastron::report

@@ -1,4 +1,4 @@
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,10 +14,11 @@
 #include <limits>
 #include <sstream>
 
-namespace plastron::io {
+namespace plastron::workflow {
 
 namespace {
 
+using namespace io;  // NOLINT: what files are made of, and helpers of tests
 using testing::UnorderedElementsAre;
 using testing::UnorderedElementsAreArray;
 
@@ -218,4 +219,4 @@ TEST(Output, on_a_disk_that_is_full_keeps_the_results_of_an_earlier_run) {
 
 }  // namespace
 
-}  // namespace plastron::io
+}  // namespace plastron::workflow
