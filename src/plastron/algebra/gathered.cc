@@ -1,6 +1,5 @@
 #include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/layout.hpp>
-#include <plastron/algebra/vector.hpp>
 
 #include <fmt/core.h>
 
@@ -27,20 +26,12 @@ Plan plan(std::size_t mine, MPI_Comm comm) {
 }
 
 void gather(const void* mine, std::size_t size, const Plan& plan, void* all, Receivers receivers, MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
   const ItemType item(static_cast<int>(size), MPI_BYTE);
-  const int count = plan.counts[static_cast<std::size_t>(rank)];
+  const int count = plan.counts[static_cast<std::size_t>(rank_in(comm))];
   if (receivers == Receivers::every_rank)
     MPI_Allgatherv(mine, count, item.get(), all, plan.counts.data(), plan.starts.data(), item.get(), comm);
   else
     MPI_Gatherv(mine, count, item.get(), all, plan.counts.data(), plan.starts.data(), item.get(), 0, comm);
-}
-
-bool receives(Receivers receivers, MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return receivers == Receivers::every_rank || rank == 0;
 }
 
 }  // namespace gathering

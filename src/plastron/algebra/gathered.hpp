@@ -1,5 +1,7 @@
 // Items of all ranks in one list.
 #pragma once
+#include <plastron/algebra/vector.hpp>
+
 #include <mpi.h>
 
 #include <cstddef>
@@ -25,7 +27,6 @@ struct Plan {
 Plan plan(std::size_t mine, MPI_Comm comm);
 /// Copies items of `size` bytes; `all` has room for all items on a rank that receives them (collective).
 void gather(const void* mine, std::size_t size, const Plan& plan, void* all, Receivers receivers, MPI_Comm comm);
-bool receives(Receivers receivers, MPI_Comm comm);
 
 }  // namespace gathering
 
@@ -42,7 +43,7 @@ auto gathered(const Items& mine, MPI_Comm comm, Receivers receivers = Receivers:
   static_assert(std::is_trivially_destructible_v<Item> && !std::is_pointer_v<Item>,
                 "an item with pointers has no meaning on another rank");
   const gathering::Plan plan = gathering::plan(std::ranges::size(mine), comm);
-  std::vector<Item> all(gathering::receives(receivers, comm) ? plan.total : 0);
+  std::vector<Item> all(receivers == Receivers::every_rank || rank_in(comm) == 0 ? plan.total : 0);
   gathering::gather(std::ranges::data(mine), sizeof(Item), plan, all.data(), receivers, comm);
   return all;
 }

@@ -123,6 +123,12 @@ void axpy(double s, const Vector& x, Vector& y) {
   for (std::size_t i = 0; i < u.size(); ++i) v[i] += s * u[i];
 }
 
+int rank_in(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+
 double sum_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_SUM, comm); }
 double min_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MIN, comm); }
 double max_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MAX, comm); }

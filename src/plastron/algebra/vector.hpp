@@ -54,6 +54,8 @@ double max_abs(const Vector& a);
 /// Adds s x to y, owned values.
 void axpy(double s, const Vector& x, Vector& y);
 
+/// Returns the number of this process, from 0 on.
+int rank_in(MPI_Comm comm);
 // Reductions of one value per rank (collective).
 double sum_over_ranks(double value, MPI_Comm comm);
 double min_over_ranks(double value, MPI_Comm comm);

@@ -72,11 +72,6 @@ bool is_rounding(const assembly::DiscreteShell& discrete, double length) {
   return length < negligible_part * algebra::max_over_ranks(largest, discrete.space().layout->comm);
 }
 
-std::string text_of_place(const assembly::DiscreteShell& discrete, const Eigen::Vector2d& x) {
-  const fem::Surface& surface = discrete.shell.surface();
-  return surface.has_directors() ? fem::place_text(surface, x) : fmt::format("x = {:.4g}, y = {:.4g}", x[0], x[1]);
-}
-
 }  // namespace
 
 std::string contradiction_text(const assembly::DiscreteShell& discrete) {
@@ -86,7 +81,7 @@ std::string contradiction_text(const assembly::DiscreteShell& discrete) {
   most = largest_of_all(most, discrete.space().layout->comm);
   if (most.length == 0) return {};
   const auto name = [&](std::size_t k) { return discrete.obstacles_at_start.all[k].text(); };
-  const std::string place = text_of_place(discrete, most.x);
+  const std::string place = fem::place_text(discrete.shell.surface(), most.x);
   const std::vector<std::size_t> pressed = assembly::pressed_obstacles(discrete);
   const auto is_pressed = [&](std::size_t k) { return std::ranges::find(pressed, k) != pressed.end(); };
   if (is_pressed(most.one) && is_pressed(most.other) && is_rounding(discrete, most.length))
@@ -112,7 +107,7 @@ std::string softest_motion_text(const assembly::DiscreteShell& discrete, const s
   return fmt::format(
       "The motion of least stiffness moves the shell most at {}, along ({:.2f}, {:.2f}, {:.2f}): it has {:.2g} of the "
       "stiffness without stresses",
-      text_of_place(discrete, most.x), along[0], along[1], along[2], found.stability.margin);
+      fem::place_text(discrete.shell.surface(), most.x), along[0], along[1], along[2], found.stability.margin);
 }
 
 }  // namespace plastron::computation

@@ -59,10 +59,8 @@ Passing passing_of(const assembly::DiscreteShell& discrete, const std::vector<ce
   if (passing.cells == 0) return passing;
   const certificate::Crossing first =
       algebra::gathered(std::span(crossings).first(crossings.empty() ? 0 : 1), comm).front();
-  const fem::Surface& surface = discrete.shell.surface();
   passing.place = fmt::format("{} at {}{}", discrete.obstacles_at_start.all[first.obstacle].text(),
-                              surface.has_directors() ? fem::place_text(surface, first.x)
-                                                      : fmt::format("x = {:.4g}, y = {:.4g}", first.x[0], first.x[1]),
+                              fem::place_text(discrete.shell.surface(), first.x),
                               from == to ? "" : fmt::format(", time {:.4g}", from + first.part * (to - from)));
   return passing;
 }

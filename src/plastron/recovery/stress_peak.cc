@@ -55,10 +55,8 @@ double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete,
                 const Choice& choice) {
   const MPI_Comm comm = discrete.space().layout->comm;
   if (!choice.patches) return std::numeric_limits<double>::quiet_NaN();
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
   double error = 0;
-  if (rank == peak.rank && peak.von_mises > 0) {
+  if (algebra::rank_in(comm) == peak.rank && peak.von_mises > 0) {
     const PointValues alone = Recovery(discrete, solution, {peak.xi}, {.axis = choice.axis})(peak.cell).front();
     error = std::abs(peak.von_mises - shell::largest_von_mises(section_forces(alone)).stress);
   }
@@ -70,10 +68,8 @@ double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete,
 StressPeak stress_peak(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Choice& choice,
                        std::span<const SingularPlace> singular) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
   std::vector<StressPeak> mine = local_peaks(discrete, solution, choice, singular);
-  for (StressPeak& p : mine) p.rank = rank;
+  for (StressPeak& p : mine) p.rank = algebra::rank_in(comm);
   const std::vector<StressPeak> all = algebra::gathered(mine, comm);
   double most = 0;
   for (const StressPeak& p : all) most = std::max(most, p.von_mises);

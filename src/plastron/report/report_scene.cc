@@ -359,10 +359,8 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
       sampled_surface(solution, most_points, report_fields(io::ingredients_of(discrete)), solution.modes);
   const obstacle::Extent extent = io::surroundings(solution);
   const Json supports = supports_json(discrete, solution.nodal);
-  int rank = 0;
-  MPI_Comm_rank(space.layout->comm, &rank);
   return algebra::in_agreement(space.layout->comm, [&] {
-    if (rank != 0 || surface.rows.empty()) return Json(nullptr);
+    if (algebra::rank_in(space.layout->comm) != 0 || surface.rows.empty()) return Json(nullptr);
     const auto obstacles = io::drawn_obstacles(discrete.obstacles, extent);
     std::vector<std::size_t> drawn;
     drawn.reserve(obstacles.size());

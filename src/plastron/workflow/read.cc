@@ -1,6 +1,7 @@
 #include <plastron/workflow/read.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/computation/sensitivity.hpp>
 #include <plastron/config/printable.hpp>
@@ -82,12 +83,6 @@ RefusedCase refused(const std::exception& error) {
   return RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
 }
 
-bool is_first_rank(MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank == 0;
-}
-
 }  // namespace
 
 void refusing(const std::function<void()>& work) {
@@ -130,7 +125,7 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
 std::vector<examination::Finding> examine_together(
     const std::function<std::vector<examination::Finding>()>& examination, MPI_Comm comm) {
   const auto mine = algebra::in_agreement<mesh::DomainError, obstacle::ObstacleError>(
-      comm, [&] { return is_first_rank(comm) ? examination() : std::vector<examination::Finding>{}; });
+      comm, [&] { return algebra::rank_in(comm) == 0 ? examination() : std::vector<examination::Finding>{}; });
   return from_one_text(algebra::first_words(in_one_text(mine), comm));
 }
 
