@@ -17,7 +17,6 @@
 #include <plastron/contact/searches.hpp>
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace plastron::contact {

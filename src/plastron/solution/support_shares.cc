@@ -8,12 +8,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
 #include <span>
-#include <tuple>
 
 namespace plastron::solution {
 

@@ -6,7 +6,6 @@
 #include <plastron/zones/boundary_segments.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <tuple>
 

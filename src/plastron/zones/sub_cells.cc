@@ -5,7 +5,6 @@
 #include <plastron/topology/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace plastron::zones {
 
