@@ -2,10 +2,11 @@
 // 26 000, 103 000, 410 000 and 1 640 000 unknowns; without arguments all problems at degree 2 and 4 to size 2.
 #include "problems.hpp"
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/session.hpp>
 #include <plastron/computation/resources.hpp>
 #include <plastron/computation/solve.hpp>
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +36,7 @@ std::vector<double> memory_by_rank() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const double mine = 1024.0 * static_cast<double>(usage.ru_maxrss) / 1e9;
-  return algebra::gather_over_ranks(std::array{mine}, MPI_COMM_WORLD);
+  return algebra::gathered(std::array{mine}, MPI_COMM_WORLD);
 }
 
 void report(const std::string& name, int degree, int size) {
@@ -43,7 +44,7 @@ void report(const std::string& name, int degree, int size) {
   const computation::Result result = computation::solve(problem_of(name, degree, size), MPI_COMM_WORLD);
   const double solving = watch.lap();
   const auto directory = std::filesystem::temp_directory_path() / "plastron-contact-cost";
-  io::write_output(result, {}, directory, "solution", MPI_COMM_WORLD);
+  workflow::write_output(result, {}, directory, "solution", MPI_COMM_WORLD);
   const double output = watch.lap();
   const std::vector<double> memory = memory_by_rank();
   int rank = 0;

@@ -3,8 +3,8 @@
 
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/io/atomic_file.hpp>
-#include <plastron/io/output.hpp>
 #include <plastron/io/quantities.hpp>
+#include <plastron/workflow/output.hpp>
 #include <plastron/workflow/read.hpp>
 
 #include <mpi.h>

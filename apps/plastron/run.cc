@@ -35,7 +35,7 @@ namespace {
 
 /// Writes the results and reports them.
 void report(const computation::Result& result, const config::Case& c, io::CaseSource source, const Options& options,
-            io::Output& files) {
+            workflow::Output& files) {
   const auto names = files.finish(result, workflow::provenance_of(c, std::move(source)), c.problem.lines);
   for (const std::string& name : names) log_event("file", {{"path", (options.output / name).string()}});
   if (options.quiet) return;
@@ -69,7 +69,7 @@ ExitCode run(const Options& options) {
     print_warning(case_file, text);
   };
   const bool with_report = c.wants_report && !options.without_report;
-  io::Output files(options.output, workflow::base_name, MPI_COMM_WORLD, with_report, c.problem.output);
+  workflow::Output files(options.output, workflow::base_name, MPI_COMM_WORLD, with_report, c.problem.output);
   observer.instant = [&](const computation::HistoryEntry& entry, const computation::Solution&) {
     progress.instant(entry);
   };

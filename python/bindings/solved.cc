@@ -37,7 +37,7 @@ py::list arrays_of(std::vector<io::GridArray>& arrays) {
 }  // namespace
 
 Solved::Solved(config::Case read, computation::Result result, std::optional<io::CaseSource> source,
-               std::unique_ptr<io::Output> files)
+               std::unique_ptr<workflow::Output> files)
     : case_(std::move(read)), result_(std::move(result)), source_(std::move(source)), files_(std::move(files)) {}
 
 void Solved::release() {
@@ -112,9 +112,7 @@ py::list Solved::values_at(const Points& points, const std::vector<double>& heig
     values = computation::values_at(solution(), places, "a point");
   }
   const assembly::DiscreteShell& discrete = *solution().discrete;
-  const auto present =
-      io::fields_of(io::ingredients_of(discrete), heights,
-                    discrete.shell.sections().most_layers());
+  const auto present = io::fields_of(io::ingredients_of(discrete), heights, discrete.shell.sections().most_layers());
   std::vector<io::GridArray> arrays;
   for (const io::Field& field : present)
     for (std::size_t c = 0; c < field.arrays.size(); ++c) {

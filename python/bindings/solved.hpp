@@ -4,8 +4,8 @@
 
 #include <plastron/computation/result.hpp>
 #include <plastron/config/case.hpp>
-#include <plastron/io/output.hpp>
 #include <plastron/io/results.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <pybind11/numpy.h>
 
@@ -24,7 +24,7 @@ class Solved final : public Releasable {
  public:
   /// A case, its result, and its files that are not finished yet; no files for a result that was loaded.
   Solved(config::Case read, computation::Result result, std::optional<io::CaseSource> source,
-         std::unique_ptr<io::Output> files);
+         std::unique_ptr<workflow::Output> files);
 
   void release() override;
 
@@ -51,7 +51,7 @@ class Solved final : public Releasable {
   config::Case case_;
   std::optional<computation::Result> result_;
   std::optional<io::CaseSource> source_;
-  std::unique_ptr<io::Output> files_;
+  std::unique_ptr<workflow::Output> files_;
 };
 
 }  // namespace plastron::python

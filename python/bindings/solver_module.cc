@@ -176,8 +176,8 @@ py::tuple solve(const CaseText& given, const std::string& directory, bool is_tem
     if (output && !output->obstacle().empty())
       throw io::WriteError(shared.string() + ": results cannot be written here: " + output->obstacle());
     io::CaseSource source = workflow::source_of(c, given.file_name, given.settings, all);
-    auto files =
-        std::make_unique<io::Output>(shared, workflow::base_name, all, with_report && c.wants_report, c.problem.output);
+    auto files = std::make_unique<workflow::Output>(shared, workflow::base_name, all, with_report && c.wants_report,
+                                                    c.problem.output);
     computation::Result result = workflow::solve(c, findings, *files, all, caller.observer(c.problem.output.units));
     if (workflow::is_refused(result.status))
       throw workflow::RefusedCase(given.file_name + ": error: " + workflow::refusal(result) + "\n");
@@ -271,7 +271,9 @@ PYBIND11_MODULE(_solver, module) {
            })
       .def(
           "fields",
-          [](const Solved& solved, double scale) { return raising_interruptions([&] { return solved.fields(scale); }); },
+          [](const Solved& solved, double scale) {
+            return raising_interruptions([&] { return solved.fields(scale); });
+          },
           py::arg("scale"))
       .def(
           "values_at",

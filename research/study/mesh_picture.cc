@@ -1,5 +1,6 @@
 #include <research/study/report.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/zones/sub_cells.hpp>
 #include <plastron/zones/touching_nodes.hpp>
@@ -35,15 +36,12 @@ Outline cell_outline(const fem::Surface& surface, mesh::Shape shape, const fem::
 
 /// Outlines of `points` points each, of all ranks.
 std::vector<Outline> gathered(const std::vector<Outline>& mine, std::size_t points, MPI_Comm comm) {
-  std::vector<double> values;
-  for (const Outline& outline : mine)
-    for (const Eigen::Vector2d& p : outline) values.insert(values.end(), {p[0], p[1]});
-  const std::vector<double> all = algebra::gather_over_ranks(values, comm);
+  Outline values;
+  for (const Outline& outline : mine) values.insert(values.end(), outline.begin(), outline.end());
+  const Outline all = algebra::gathered(values, comm);
   std::vector<Outline> outlines;
-  for (std::size_t at = 0; at < all.size(); at += 2 * points) {
-    Outline& outline = outlines.emplace_back();
-    for (std::size_t p = 0; p < points; ++p) outline.emplace_back(all[at + 2 * p], all[at + 2 * p + 1]);
-  }
+  for (auto at = all.begin(); at != all.end(); at += static_cast<std::ptrdiff_t>(points))
+    outlines.emplace_back(at, at + static_cast<std::ptrdiff_t>(points));
   return outlines;
 }
 

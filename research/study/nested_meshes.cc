@@ -1,5 +1,6 @@
 #include <research/study/nested_meshes.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/element/element_tables.hpp>
 #include <plastron/fem/surface.hpp>
 
@@ -9,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 
 namespace plastron::study {
@@ -16,17 +18,6 @@ namespace plastron::study {
 namespace {
 
 // ---- cells -------------------------------------------------------------------------------------------------------------
-
-constexpr std::size_t cell_entries = 4;  // coarse, corner, size
-
-std::vector<double> packed_cells(const fem::Space& space) {
-  std::vector<double> values;
-  for (std::size_t c = 0; c < space.owned_cells; ++c) {
-    const fem::Cell& cell = space.cells[c];
-    values.insert(values.end(), {static_cast<double>(cell.coarse), cell.corner[0], cell.corner[1], cell.size});
-  }
-  return values;
-}
 
 /// (collective)
 GatheredCells gathered_cells(const fem::Space& space) {
@@ -38,9 +29,7 @@ GatheredCells gathered_cells(const fem::Space& space) {
   const int mine = static_cast<int>(space.owned_cells);
   MPI_Allgather(&mine, 1, MPI_INT, cells.per_rank.data(), 1, MPI_INT, comm);
   cells.first = static_cast<std::size_t>(std::accumulate(cells.per_rank.begin(), cells.per_rank.begin() + rank, 0));
-  const std::vector<double> values = algebra::gather_over_ranks(packed_cells(space), comm);
-  for (std::size_t at = 0; at < values.size(); at += cell_entries)
-    cells.all.push_back({static_cast<int>(values[at]), {values[at + 1], values[at + 2]}, values[at + 3]});
+  cells.all = algebra::gathered(std::span(space.cells).first(space.owned_cells), comm);
   return cells;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -61,18 +62,6 @@ TEST(Vector, knows_whether_its_ghosts_are_those_of_their_owners) {
   EXPECT_TRUE(algebra::ghosts_are_current(v));
 }
 
-TEST(Gather, of_all_ranks_has_the_values_in_the_order_of_the_ranks_everywhere) {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  // Rank r contributes r + 1 values; the last of several ranks contributes none.
-  std::vector<double> mine;
-  if (rank == 0 || rank + 1 < ranks()) mine.assign(static_cast<std::size_t>(rank) + 1, rank);
-  std::vector<double> expected;
-  for (int r = 0; r < std::max(1, ranks() - 1); ++r)
-    expected.insert(expected.end(), static_cast<std::size_t>(r) + 1, r);
-  EXPECT_EQ(algebra::gather_over_ranks(mine, MPI_COMM_WORLD), expected);
-}
-
 TEST(Gathered, items_come_by_rank_to_every_rank_or_to_the_first_one) {
   struct Item {
     std::int64_t number;
@@ -91,10 +80,11 @@ TEST(Gathered, items_come_by_rank_to_every_rank_or_to_the_first_one) {
   EXPECT_EQ(algebra::gathered(items_of(rank()), MPI_COMM_WORLD, algebra::Receivers::first_rank), all);
 }
 
-TEST(Gather, of_more_values_than_mpi_can_count_is_refused_on_all_ranks) {
+TEST(Gathered, more_items_than_mpi_can_count_is_refused_on_all_ranks) {
   const std::vector<double> one(1);
   const std::size_t too_many = std::size_t{1} << 31;  // refused before they are read
-  EXPECT_THROW(algebra::gather_over_ranks({one.data(), rank() == 0 ? too_many : 0}, MPI_COMM_WORLD), std::length_error);
+  const std::span<const double> mine(one.data(), rank() == 0 ? too_many : 0);
+  EXPECT_THROW(algebra::gathered(mine, MPI_COMM_WORLD), std::length_error);
   EXPECT_NO_THROW(algebra::check_gathered(static_cast<std::int64_t>(too_many) - 1));
 }
 

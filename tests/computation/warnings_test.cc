@@ -1,7 +1,6 @@
 // Warnings of a result: contact missed between nodes, the linear model exceeded, reactions on edges, units.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <plastron/computation/contradiction.hpp>
 #include <plastron/computation/solve.hpp>
 #include <plastron/computation/warnings.hpp>
 

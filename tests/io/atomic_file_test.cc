@@ -26,6 +26,12 @@ std::string complaint(const Action& action) {
   return "";
 }
 
+void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
+  AtomicFiles one(comm);
+  one.add(path, piece);
+  one.commit();
+}
+
 TEST(AtomicFile, holds_the_pieces_of_all_ranks_in_their_order) {
   const ScratchDirectory scratch("pieces");
   const auto piece = [](int rank) {

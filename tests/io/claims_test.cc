@@ -1,7 +1,7 @@
 // The claims of results.json beside recomputed values: no number that follows from the solution can be changed
 // unnoticed.
 #include <plastron/io/claims.hpp>
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using workflow::write_output;
 
 std::vector<std::string> disagreeing(const std::vector<Comparison>& all) {
   std::vector<std::string> paths;

@@ -1,6 +1,6 @@
 // contact-boundary.csv and .vtu, contact-forces.csv, read back.
 #include <plastron/io/contact_report.hpp>
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,6 +18,7 @@ namespace {
 
 using testing::IsSupersetOf;
 using testing::Not;
+using workflow::write_output;
 
 /// Obstacle, zone, line -> rows of x, y, X, Y, Z, rim.
 std::map<std::array<int, 3>, std::vector<std::array<double, 6>>> rows_of(const std::string& csv) {

@@ -1,7 +1,7 @@
 // line-NAME.csv, read back.
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/io/csv_tables.hpp>
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <gtest/gtest.h>
 #include <io/pressed_plate.hpp>
@@ -12,6 +12,8 @@
 namespace plastron::io {
 
 namespace {
+
+using workflow::Output;
 
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells;

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <plastron/computation/solve.hpp>
 #include <plastron/io/mode_file.hpp>
-#include <plastron/io/output.hpp>
-#include <plastron/io/report_scene.hpp>
 #include <plastron/io/results.hpp>
+#include <plastron/report/report_scene.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <cmath>
 #include <computation/problems.hpp>
@@ -21,6 +21,7 @@ using test::Direction;
 using test::Expression;
 using test::held;
 using testing::HasSubstr;
+using workflow::Output;
 
 constexpr double thickness = 0.01;
 
@@ -103,8 +104,8 @@ TEST(Mode, IsInTheViewOfTheReport) {
   p.modes.buckling = 2;
   const computation::Result result = computation::solve(p, MPI_COMM_WORLD);
   const computation::Solution& solution = *result.solution;
-  const Json scene = scene_json(solution, result.summary);
-  const SampledSurface surface = sampled_surface(solution, most_report_points, {}, solution.modes);
+  const Json scene = report::scene_json(solution, result.summary);
+  const auto surface = report::sampled_surface(solution, report::most_report_points, {}, solution.modes);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   ASSERT_EQ(scene.is_null(), rank != 0);

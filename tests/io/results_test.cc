@@ -218,7 +218,9 @@ TEST(Results, name_the_version_of_the_build) {
 TEST(Results, are_written_by_rank_0_as_one_valid_file) {
   const ScratchDirectory scratch("results");
   const Provenance provenance{.title = "not UTF-8: \xff", .settings = {{"a", 1}}, .files = {}};
-  write_results(some_result(true), provenance, scratch.path, MPI_COMM_WORLD);
+  AtomicFiles files(MPI_COMM_WORLD);
+  add_results(some_result(true), provenance, scratch.path, files);
+  files.commit();
   const Json json = Json::parse(text_of(scratch.path / "results.json"));
   EXPECT_EQ(json["settings"]["a"], Json(1));
   EXPECT_THAT(scratch.names(), testing::UnorderedElementsAre("results.json"));

@@ -1,6 +1,6 @@
 // solid.vtu, read back: it fills the volume between the faces, and its stresses integrate to resultants.
-#include <plastron/io/output.hpp>
 #include <plastron/io/vtu.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <gtest/gtest.h>
 #include <io/pressed_plate.hpp>
@@ -14,6 +14,7 @@ namespace plastron::io::solid_test {
 namespace {
 
 using Eigen::Vector3d;
+using workflow::Output;
 
 constexpr int layers = 3;
 

@@ -23,6 +23,15 @@ struct Written {
   std::vector<std::string> names;
 };
 
+/// Writes name.vtu and name.pvd.
+void write_vtu(const computation::Solution& solution, const std::filesystem::path& directory, const std::string& name,
+               const VtuChoice& choice = {}) {
+  AtomicFiles files(MPI_COMM_WORLD);
+  add_vtu(solution, directory / (name + ".vtu"), files, choice);
+  add_pvd({{0, name + ".vtu"}}, directory / (name + ".pvd"), files);
+  files.commit();
+}
+
 Written written(const PressedPlate& options, double displacement_scale = 1) {
   const ScratchDirectory scratch("vtu");
   Written w{.result = computation::solve(pressed_plate(options), MPI_COMM_WORLD), .file = {}, .names = {}};

@@ -1,4 +1,4 @@
-// The scenes of the pages as typed arrays: what io/report_scene.cc and io/surface_scene.cc write.
+// The scenes of the pages as typed arrays: what report/report_scene.cc and report/surface_scene.cc write.
 
 function bytesOf(text) {
   const letters = atob(text);
@@ -64,7 +64,7 @@ export function readScene(json) {
   };
 }
 
-/** A mesh in space. Its points are relative to `origin`; `edges` and `curves` as in io/surface_scene.hpp. */
+/** A mesh in space. Its points are relative to `origin`; `edges` and `curves` as in report/surface_scene.hpp. */
 export function readParts(json) {
   const { edges } = json;
   return {

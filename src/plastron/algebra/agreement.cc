@@ -1,4 +1,5 @@
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/vector.hpp>
 
 #include <limits>
 #include <new>
@@ -9,12 +10,6 @@ namespace {
 
 using agreement::Kind;
 using agreement::kind_of;
-
-int rank_in(MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank;
-}
 
 /// Returns on every rank the lowest rank for which `speaks` is true (collective).
 std::optional<int> lowest_speaker(bool speaks, MPI_Comm comm) {

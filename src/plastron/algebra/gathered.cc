@@ -1,10 +1,15 @@
 #include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/layout.hpp>
-#include <plastron/algebra/vector.hpp>
 
+#include <fmt/core.h>
+
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
-namespace plastron::algebra::gathering {
+namespace plastron::algebra {
+
+namespace gathering {
 
 Plan plan(std::size_t mine, MPI_Comm comm) {
   int ranks = 1;
@@ -21,20 +26,30 @@ Plan plan(std::size_t mine, MPI_Comm comm) {
 }
 
 void gather(const void* mine, std::size_t size, const Plan& plan, void* all, Receivers receivers, MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
   const ItemType item(static_cast<int>(size), MPI_BYTE);
-  const int count = plan.counts[static_cast<std::size_t>(rank)];
+  const int count = plan.counts[static_cast<std::size_t>(rank_in(comm))];
   if (receivers == Receivers::every_rank)
     MPI_Allgatherv(mine, count, item.get(), all, plan.counts.data(), plan.starts.data(), item.get(), comm);
   else
     MPI_Gatherv(mine, count, item.get(), all, plan.counts.data(), plan.starts.data(), item.get(), 0, comm);
 }
 
-bool receives(Receivers receivers, MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return receivers == Receivers::every_rank || rank == 0;
+}  // namespace gathering
+
+void check_gathered(std::int64_t items) {
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (items > most)
+    throw std::length_error(
+        fmt::format("{} values of all processes would come together on each one, more than the {} that MPI can count: "
+                    "take a coarser mesh",
+                    items, most));
 }
 
-}  // namespace plastron::algebra::gathering
+std::vector<double> sums_over_ranks(std::span<const double> mine, MPI_Comm comm) {
+  const std::vector<double> all = gathered(mine, comm);
+  std::vector<double> sums(mine.size(), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) sums[i % sums.size()] += all[i];
+  return sums;
+}
+
+}  // namespace plastron::algebra

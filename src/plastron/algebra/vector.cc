@@ -1,12 +1,9 @@
-#include <fmt/core.h>
 #include <plastron/algebra/assertion.hpp>
 #include <plastron/algebra/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <stdexcept>
 #include <vector>
 
 namespace plastron::algebra {
@@ -126,38 +123,15 @@ void axpy(double s, const Vector& x, Vector& y) {
   for (std::size_t i = 0; i < u.size(); ++i) v[i] += s * u[i];
 }
 
+int rank_in(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+
 double sum_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_SUM, comm); }
 double min_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MIN, comm); }
 double max_over_ranks(double value, MPI_Comm comm) { return reduce(value, MPI_DOUBLE, MPI_MAX, comm); }
 std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm) { return reduce(value, MPI_INT64_T, MPI_SUM, comm); }
-
-std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm) {
-  int ranks = 1;
-  MPI_Comm_size(comm, &ranks);
-  check_gathered(sum_over_ranks(static_cast<std::int64_t>(mine.size()), comm));
-  const auto count = static_cast<int>(mine.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), starts(counts.size());
-  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  for (std::size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<double> all(static_cast<std::size_t>(starts.back()) + static_cast<std::size_t>(counts.back()));
-  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
-  return all;
-}
-
-std::vector<double> sums_over_ranks(std::span<const double> mine, MPI_Comm comm) {
-  const std::vector<double> all = gather_over_ranks(mine, comm);
-  std::vector<double> sums(mine.size(), 0);
-  for (std::size_t i = 0; i < all.size(); ++i) sums[i % sums.size()] += all[i];
-  return sums;
-}
-
-void check_gathered(std::int64_t values) {
-  constexpr std::int64_t most = std::numeric_limits<int>::max();
-  if (values > most)
-    throw std::length_error(
-        fmt::format("{} values of all processes would come together on each one, more than the {} that MPI can count: "
-                    "take a coarser mesh",
-                    values, most));
-}
 
 }  // namespace plastron::algebra

@@ -54,17 +54,12 @@ double max_abs(const Vector& a);
 /// Adds s x to y, owned values.
 void axpy(double s, const Vector& x, Vector& y);
 
+/// Returns the number of this process, from 0 on.
+int rank_in(MPI_Comm comm);
 // Reductions of one value per rank (collective).
 double sum_over_ranks(double value, MPI_Comm comm);
 double min_over_ranks(double value, MPI_Comm comm);
 double max_over_ranks(double value, MPI_Comm comm);
 std::int64_t sum_over_ranks(std::int64_t value, MPI_Comm comm);
-/// Returns the values of all ranks, ordered by rank, equal on every rank (collective). For data that are small on every
-/// rank, or that must be complete somewhere. Throws the errors of check_gathered() on all ranks.
-std::vector<double> gather_over_ranks(std::span<const double> mine, MPI_Comm comm);
-/// Returns sums over ranks, entry by entry, equal on every rank. All ranks give the same number of values (collective).
-std::vector<double> sums_over_ranks(std::span<const double> mine, MPI_Comm comm);
-/// Throws std::length_error for more values than MPI counts in one call, 2^31 - 1 (16 GiB).
-void check_gathered(std::int64_t values);
 
 }  // namespace plastron::algebra

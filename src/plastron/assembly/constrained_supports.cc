@@ -1,6 +1,7 @@
 #include <plastron/assembly/constrained_supports.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/constraints/map.hpp>
 
@@ -27,7 +28,7 @@ class MovedRows {
 
   /// Adds the rows of all ranks to the supports of the owned nodes (collective).
   void deliver(const algebra::Layout& layout, std::vector<NodeSupport>& supports) const {
-    const auto all = algebra::gather_over_ranks(packed_, layout.comm);
+    const auto all = algebra::gathered(packed_, layout.comm);
     for (std::size_t i = 0; i < all.size(); i += size) {
       const auto node = static_cast<algebra::GlobalIndex>(all[i]);
       if (!layout.owns(node)) continue;

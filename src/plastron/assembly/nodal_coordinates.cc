@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/assembly/constrained_coordinates.hpp>
 #include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -71,7 +72,7 @@ std::vector<std::map<std::size_t, NearestFace>> faces_at_folds(const fem::Space&
     add(row.terms.front().node, row.node);
     add(row.terms.front().node, row.terms.front().node);
   }
-  const auto all = algebra::gather_over_ranks(mine, space.layout->comm);
+  const auto all = algebra::gathered(mine, space.layout->comm);
   std::map<algebra::GlobalIndex, std::size_t> local;
   for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i)
     local.emplace(space.layout->global(i), static_cast<std::size_t>(i));

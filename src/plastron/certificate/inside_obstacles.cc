@@ -4,8 +4,6 @@
 #include <plastron/fem/surface.hpp>
 #include <plastron/obstacle/error.hpp>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -77,9 +75,7 @@ std::vector<CellGap> add_least_gaps(const assembly::DiscreteShell& discrete, con
     if (least > contact.least_gap) at.setConstant(nowhere);
     Eigen::Vector2d place(algebra::min_over_ranks(at[0], comm), 0);
     place[1] = algebra::min_over_ranks(at[0] > place[0] ? nowhere : at[1], comm);
-    contact.least_gap_place = discrete.shell.surface().has_directors()
-                                  ? fem::place_text(discrete.shell.surface(), place)
-                                  : fmt::format("x = {:.4g}, y = {:.4g}", place[0], place[1]);
+    contact.least_gap_place = fem::place_text(discrete.shell.surface(), place);
   }
   std::ranges::copy_if(cells, std::back_inserter(entered), [](const CellGap& cell) { return cell.gap < 0; });
   return entered;

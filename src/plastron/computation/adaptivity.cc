@@ -1,5 +1,6 @@
 #include <plastron/computation/adaptivity.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/computation/resources.hpp>
 #include <plastron/estimation/goal_record.hpp>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace plastron::computation {
 
@@ -147,21 +149,17 @@ std::string AccuracyLoop::place_of_error(const fem::Space& space, const estimati
   const double above = meshing::error_threshold(shares, 0.5, comm);
   if (std::isinf(above)) return "";  // no cell has an error: only the next degree shows it
   const std::int64_t mine = std::ranges::count_if(shares, [&](double share) { return share > above; });
-  std::vector<double> largest;  // on this rank: share and place
+  std::vector<std::pair<double, Eigen::Vector3d>> largest;  // on this rank: share and place
   if (const auto most = std::ranges::max_element(shares); most != shares.end()) {
     const fem::Surface surface(space.coarse, problem_.charts);
     const Eigen::Vector2d centre = mesh::centre(space.shape());
     const fem::Cell& cell = space.cells[static_cast<std::size_t>(most - shares.begin())];
-    const Eigen::Vector3d phi = surface.frame(cell, centre, false).phi;
-    largest = {*most, phi[0], phi[1], phi[2]};
+    largest.emplace_back(*most, surface.frame(cell, centre, false).phi);
   }
-  const std::vector<double> all = algebra::gather_over_ranks(largest, comm);
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < all.size(); i += 4)
-    if (all[i] > all[at]) at = i;
+  largest = algebra::gathered(largest, comm);
+  const Eigen::Vector3d at = std::ranges::max_element(largest, {}, [](const auto& item) { return item.first; })->second;
   return fmt::format("; half of the estimated error of {} lies in {} of {} cells, most near ({:.3g}, {:.3g}, {:.3g}) m",
-                     worst->name, algebra::sum_over_ranks(mine, comm), space.global_cells, all[at + 1], all[at + 2],
-                     all[at + 3]);
+                     worst->name, algebra::sum_over_ranks(mine, comm), space.global_cells, at[0], at[1], at[2]);
 }
 
 std::vector<double> AccuracyLoop::changes(std::size_t goal, std::size_t count) const {

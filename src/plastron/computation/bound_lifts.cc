@@ -1,8 +1,8 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/certificate/gap_between.hpp>
 #include <plastron/computation/bound_lifts.hpp>
-#include <plastron/computation/cell_depths.hpp>
 #include <plastron/constraints/map.hpp>
+#include <plastron/fem/cell_depths.hpp>
 #include <plastron/obstacle/error.hpp>
 
 #include <algorithm>
@@ -78,7 +78,7 @@ void visit_least_gaps(const assembly::DiscreteShell& discrete, const algebra::Ve
                       const Counted& counted, const Visit& visit) {
   const fem::Space& space = discrete.space();
   certificate::visit_gaps(discrete, y, [&](std::size_t cell, std::size_t k, const certificate::GapsAt& gaps_at) {
-    visit(cell, k, least_in_cell(space.shape(), lattice_intervals(space.degree), tolerance, [&](auto points) {
+    visit(cell, k, fem::least_in_cell(space.shape(), lattice_intervals(space.degree), tolerance, [&](auto points) {
             const element::BasisAt at = element::basis_at(space.shape(), space.degree, {points.begin(), points.end()});
             return counted(cell, k, at.value, gaps_at(at));
           }));

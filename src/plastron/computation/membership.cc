@@ -1,9 +1,8 @@
-#include <plastron/computation/membership.hpp>
-
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/assembly/deformed.hpp>
 #include <plastron/computation/bound_lifts.hpp>
 #include <plastron/computation/relinearisation.hpp>
+#include <plastron/computation/verify.hpp>
 #include <plastron/constraints/map.hpp>
 #include <plastron/energy/normal_rotation.hpp>
 #include <plastron/fem/constraints.hpp>

@@ -1,6 +1,7 @@
 #include <plastron/computation/path.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/certificate/core_depth.hpp>
 #include <plastron/fem/surface.hpp>
 #include <plastron/obstacle/error.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace plastron::computation {
@@ -55,17 +57,11 @@ Passing passing_of(const assembly::DiscreteShell& discrete, const std::vector<ce
   const MPI_Comm comm = discrete.space().layout->comm;
   Passing passing{.cells = algebra::sum_over_ranks(static_cast<std::int64_t>(crossings.size()), comm)};
   if (passing.cells == 0) return passing;
-  std::vector<double> first;
-  if (!crossings.empty()) {
-    const certificate::Crossing& c = crossings.front();
-    first = {static_cast<double>(c.obstacle), c.x[0], c.x[1], from + c.part * (to - from)};
-  }
-  const std::vector<double> all = algebra::gather_over_ranks(first, comm);
-  const fem::Surface& surface = discrete.shell.surface();
-  passing.place = fmt::format("{} at {}{}", discrete.obstacles_at_start.all[static_cast<std::size_t>(all[0])].text(),
-                              surface.has_directors() ? fem::place_text(surface, {all[1], all[2]})
-                                                      : fmt::format("x = {:.4g}, y = {:.4g}", all[1], all[2]),
-                              from == to ? "" : fmt::format(", time {:.4g}", all[3]));
+  const certificate::Crossing first =
+      algebra::gathered(std::span(crossings).first(crossings.empty() ? 0 : 1), comm).front();
+  passing.place = fmt::format("{} at {}{}", discrete.obstacles_at_start.all[first.obstacle].text(),
+                              fem::place_text(discrete.shell.surface(), first.x),
+                              from == to ? "" : fmt::format(", time {:.4g}", from + first.part * (to - from)));
   return passing;
 }
 

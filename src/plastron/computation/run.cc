@@ -1,6 +1,5 @@
 #include <plastron/computation/run.hpp>
 
-#include <plastron/computation/contradiction.hpp>
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/model_check.hpp>
 #include <plastron/computation/warnings.hpp>

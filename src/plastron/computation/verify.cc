@@ -3,7 +3,6 @@
 #include <plastron/assembly/box_problem.hpp>
 #include <plastron/computation/evaluation.hpp>
 #include <plastron/computation/level.hpp>
-#include <plastron/computation/membership.hpp>
 #include <plastron/computation/path.hpp>
 #include <plastron/computation/warnings.hpp>
 #include <plastron/meshing/sequence.hpp>

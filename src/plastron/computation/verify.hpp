@@ -47,6 +47,14 @@ struct Verification {
 /// (collective).
 Result measured_result(const problem::Problem& problem, Solution found);
 
+/// Returns rows that show whether a given solution belongs to its case: in the discrete space, tangent, linearised as the case
+/// requires, under the case's load. The certificate does not check this, because solve() makes only such solutions. Rows
+/// without a meaning in the problem are left out (collective).
+std::vector<certificate::CertificateLimit> membership_rows(const problem::Problem& problem,
+                                                           const assembly::DiscreteShell& discrete,
+                                                           const solution::NodalSolution& solution,
+                                                           const solution::Summary& summary);
+
 /// Verifies a solution (collective). Throws mesh::DomainError, assembly::SupportError, obstacle::ObstacleError, as
 /// solve() does.
 Verification verify(const problem::Problem& problem, const FinestMesh& mesh, StoredSolution solution);

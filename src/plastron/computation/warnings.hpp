@@ -1,5 +1,5 @@
-// Warnings about a problem or a result: where the linear model, the mesh or the contact search reaches its limits. Each
-// is a text for the user.
+// Warnings about a problem or a result: where the linear model, the mesh or the contact search reaches its limits, and why
+// there is no solution. Each is a text for the user.
 #pragma once
 #include <plastron/assembly/supports.hpp>
 #include <plastron/computation/result.hpp>
@@ -59,5 +59,13 @@ std::vector<std::string> contact_warnings(const Result& result, const contact::S
 std::vector<std::string> point_support_warnings(const Result& result, const std::vector<assembly::Support>& supports);
 /// Returns one warning for each probe at a place where stresses have no limit or a peak.
 std::vector<std::string> probe_warnings(const Result& result);
+
+/// Returns the obstacles whose bounds contradict each other or a support, with the place where most room is missing; empty if
+/// none do (collective).
+std::string contradiction_text(const assembly::DiscreteShell& discrete);
+
+/// Names the motion of least stiffness at a state of a shell with finite rotations that is no equilibrium, and the place that it
+/// moves most; empty if it is not found (collective).
+std::string softest_motion_text(const assembly::DiscreteShell& discrete, const solution::NodalSolution& nodal);
 
 }  // namespace plastron::computation

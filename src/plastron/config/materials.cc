@@ -3,7 +3,6 @@
 #include <plastron/config/sections.hpp>
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <span>
 

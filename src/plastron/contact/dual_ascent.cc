@@ -13,11 +13,10 @@
 // This is Newton's method for a piecewise quadratic concave function, with d as safeguard: d increases at every step.
 // Sources: Qi and Sun, A nonsmooth version of Newton's method (1993), for the steps; Bertsekas, Constrained
 // optimization and Lagrange multiplier methods (1982), section 5.3, for the dual function.
+#include <plastron/contact/outer_search.hpp>
 #include <plastron/contact/pressing.hpp>
-#include <plastron/contact/searches.hpp>
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace plastron::contact {
@@ -33,17 +32,9 @@ struct DualPoint {
   ActiveSet set{};
 };
 
-class DualAscent {
+class DualAscent : OuterSearch {
  public:
-  DualAscent(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings,
-             const Observer& observer, SolverFunction& box_solver, bool is_safeguard, BoxSolution& solution)
-      : problem_(problem),
-        preconditioner_(preconditioner),
-        settings_(settings),
-        observer_(observer),
-        box_solver_(box_solver),
-        is_safeguard_(is_safeguard),
-        solution_(solution) {}
+  using OuterSearch::OuterSearch;
 
   void run() {
     Vector q = solution_.equation_multiplier.layout() ? solution_.equation_multiplier : problem_.equations->multipliers;
@@ -59,28 +50,10 @@ class DualAscent {
   }
 
  private:
-  void end(Status status) {
-    solution_.status = status;
-    has_ended_ = true;
-  }
-
-  std::nullopt_t no_more(Status status) {
-    end(status);
-    return std::nullopt;
-  }
-
-  void count(const Iteration& iteration) {
-    solution_.iterations.push_back(iteration);
-    solution_.iterations.back().safeguarded |= is_safeguard_;
-    if (observer_.iteration) observer_.iteration(solution_.iterations.back());
-  }
-
   // Nothing if the inner solver fails or reaches the limit; then the solution has its status.
   std::optional<DualPoint> evaluate(Vector q, const ActiveSet& start) {
-    Settings settings = settings_;
-    settings.max_iterations -= static_cast<int>(solution_.iterations.size());
-    if (settings.max_iterations <= 0) return no_more(Status::iteration_limit);
-    if (!solution_.iterations.empty() && observer_.wants_to_stop()) return no_more(Status::interrupted);
+    const auto settings = settings_left();
+    if (!settings) return {};
     const EqualityConstraints& equations = *problem_.equations;
     BoxProblem box{.matrix = problem_.matrix,
                    .apply = problem_.apply,
@@ -92,7 +65,7 @@ class DualAscent {
     equations.apply_transposed(q, force);
     algebra::axpy(-1, force, box.load);
     const Observer inside{.iteration = [this](const Iteration& i) { count(i); }, .stop = observer_.stop};
-    BoxSolution inner = box_solver_(box, start, preconditioner_, settings, inside);
+    BoxSolution inner = box_solver_(box, start, preconditioner_, *settings, inside);
     if (inner.status != Status::solved) return no_more(inner.status);
     DualPoint point{.q = std::move(q), .violation = equations.multipliers, .set = std::move(inner.activity)};
     inner.z.update_ghosts();
@@ -109,12 +82,7 @@ class DualAscent {
     if (!point) return {};
     Vector best = point->equation_multiplier;
     const Verdict verdict = judge(problem_, *point, set);
-    const Observer inside{.iteration = {}, .stop = {}};
-    const std::int64_t changes = record(problem_, std::move(*point), set, verdict, inside, solution_);
-    const Iteration last = solution_.iterations.back();
-    solution_.iterations.pop_back();
-    count(last);
-    if (changes == 0) end(Status::solved);
+    if (store(std::move(*point), set, verdict) == 0) end(Status::solved);
     return best;
   }
 
@@ -180,16 +148,6 @@ class DualAscent {
     }
     return no_more(Status::infeasible);  // d has no maximum
   }
-
-  const BoxProblem& problem_;
-  algebra::Preconditioner& preconditioner_;
-  const Settings& settings_;
-  const Observer& observer_;
-  SolverFunction& box_solver_;
-  bool is_safeguard_;
-  BoxSolution& solution_;
-  bool has_ended_ = false;
-  double length_ = 1;  ///< length of the last step
 };
 
 }  // namespace

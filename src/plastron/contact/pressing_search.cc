@@ -15,9 +15,9 @@
 // This is Newton's method for a piecewise quadratic convex function, with phi as safeguard: phi decreases at every
 // step. The proof is in docs/methods/pressing-obstacles.md. Source: Sun, On the structure of convex piecewise quadratic
 // functions (1992); Qi and Sun, A nonsmooth version of Newton's method (1993).
+#include <plastron/contact/outer_search.hpp>
 #include <plastron/contact/pressed_subproblem.hpp>
 #include <plastron/contact/pressing.hpp>
-#include <plastron/contact/searches.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -90,18 +90,9 @@ std::optional<Positions> along_free_motion(const Positions& excess, const Positi
   return moved(Positions(motion.size(), 0.0), (drive > 0 ? 1 : -1) * size(ascent) / size(motion), motion);
 }
 
-class PressingSearch {
+class PressingSearch : OuterSearch {
  public:
-  PressingSearch(const BoxProblem& problem, algebra::Preconditioner& preconditioner, const Settings& settings,
-                 const Observer& observer, SolverFunction& box_solver, bool is_safeguard, BoxSolution& solution)
-      : problem_(problem),
-        preconditioner_(preconditioner),
-        settings_(settings),
-        observer_(observer),
-        box_solver_(box_solver),
-        is_safeguard_(is_safeguard),
-        solution_(solution),
-        subproblem_(problem, preconditioner, settings) {}
+  using OuterSearch::OuterSearch;
 
   /// Call it before run(), unless the solution already has positions and an active set.
   void start(std::span<const Activity> initial) {
@@ -123,31 +114,11 @@ class PressingSearch {
   }
 
  private:
-  void end(Status status) {
-    solution_.status = status;
-    has_ended_ = true;
-  }
-
-  std::nullopt_t no_more(Status status) {
-    end(status);
-    return std::nullopt;
-  }
-
-  void count(Iteration iteration) {
-    iteration.safeguarded |= is_safeguard_;
-    solution_.iterations.push_back(iteration);
-    if (observer_.iteration) observer_.iteration(iteration);
-  }
-
   /// Stores a subproblem's point as the solution so far. The search ends if the point satisfies all conditions.
   Verdict take(SubproblemPoint point, const ActiveSet& set) {
     Verdict verdict = judge(subproblem_.box(), point, set);
     const bool crossed = bounds_cross(subproblem_.box(), point.gap_noise);
-    const std::int64_t changes = record(problem_, std::move(point), set, verdict, {}, solution_);
-    const Iteration last = solution_.iterations.back();
-    solution_.iterations.pop_back();
-    count(last);
-    if (changes == 0 && !crossed) end(Status::solved);
+    if (store(std::move(point), set, verdict) == 0 && !crossed) end(Status::solved);
     return verdict;
   }
 
@@ -163,10 +134,8 @@ class PressingSearch {
   // Nothing where the inner solver fails; then the solution has its status. The search has then ended if no other
   // positions help.
   std::optional<PressedState> evaluate(Positions positions, const ActiveSet& start) {
-    Settings settings = settings_;
-    settings.max_iterations -= static_cast<int>(solution_.iterations.size());
-    if (settings.max_iterations <= 0) return no_more(Status::iteration_limit);
-    if (!solution_.iterations.empty() && observer_.wants_to_stop()) return no_more(Status::interrupted);
+    const auto settings = settings_left();
+    if (!settings) return {};
     const double work = work_of_forces(problem_, positions);
     const Observer inside{.iteration =
                               [&](Iteration iteration) {
@@ -174,7 +143,7 @@ class PressingSearch {
                                 count(iteration);
                               },
                           .stop = observer_.stop};
-    BoxSolution inner = box_solver_(at_positions(problem_, positions), start, preconditioner_, settings, inside);
+    BoxSolution inner = box_solver_(at_positions(problem_, positions), start, preconditioner_, *settings, inside);
     solution_.status = inner.status;
     if (inner.status != Status::solved) {
       if (!is_about_the_positions(inner.status)) has_ended_ = true;
@@ -301,16 +270,7 @@ class PressingSearch {
     return no_more(Status::not_carried);  // phi decreases without limit
   }
 
-  const BoxProblem& problem_;
-  algebra::Preconditioner& preconditioner_;
-  const Settings& settings_;
-  const Observer& observer_;
-  SolverFunction& box_solver_;
-  bool is_safeguard_;
-  BoxSolution& solution_;
-  PressedSubproblem subproblem_;
-  bool has_ended_ = false;
-  double length_ = 1;         ///< length of the present step
+  PressedSubproblem subproblem_{problem_, preconditioner_, settings_};
   int stopped_in_a_row_ = 0;  ///< number of successive steps that crossing bounds have shortened
 };
 

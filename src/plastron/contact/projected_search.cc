@@ -16,7 +16,6 @@
 #include <plastron/contact/searches.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 

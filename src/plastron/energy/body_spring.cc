@@ -3,11 +3,10 @@
 #include <plastron/fem/constraints.hpp>
 #include <plastron/geometry/rotation.hpp>
 
-#include <fmt/format.h>
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace plastron::energy {
 
@@ -117,20 +116,9 @@ class BodySpring final : public Term {
 
 }  // namespace
 
-std::shared_ptr<const Term> body_spring(const fem::Space& space, const Foundation& spring,
+std::shared_ptr<const Term> body_spring(std::size_t body, const Matrix3d& stiffness, const Matrix3d& of_rotation,
                                         element::Rotations rotations) {
-  const auto body = std::ranges::find(space.bodies, spring.body, [](const auto& placed) { return placed.body.name; });
-  if (body == space.bodies.end())
-    throw LoadError(
-        fmt::format("the spring \"{}\" is on the rigid body \"{}\", which does not exist", spring.name, spring.body));
-  const auto along_axes = [&](const VectorExpression& stiffnesses) {
-    const Vector3d values(stiffnesses[0](0, 0), stiffnesses[1](0, 0), stiffnesses[2](0, 0));
-    return Matrix3d(spring.axes.transpose() * values.asDiagonal() * spring.axes);
-  };
-  const Matrix3d stiffness = along_axes(spring.stiffness), of_rotation = along_axes(spring.rotation);
-  if (stiffness.isZero(0) && of_rotation.isZero(0)) return nullptr;
-  return std::make_shared<const BodySpring>(static_cast<std::size_t>(body - space.bodies.begin()), stiffness,
-                                            of_rotation, rotations);
+  return std::make_shared<const BodySpring>(body, stiffness, of_rotation, rotations);
 }
 
 }  // namespace plastron::energy

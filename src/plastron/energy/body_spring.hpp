@@ -1,13 +1,17 @@
 // A spring on a rigid body, as a term of the potential.
 #pragma once
-#include <plastron/energy/foundation.hpp>
+#include <plastron/element/formulation.hpp>
+#include <plastron/energy/term.hpp>
+
+#include <Eigen/Core>
 
 #include <memory>
 
 namespace plastron::energy {
 
-/// Returns the term of a spring on a body; null if all its stiffnesses are 0. Throws LoadError if the space has no such body.
-std::shared_ptr<const Term> body_spring(const fem::Space& space, const Foundation& spring,
-                                        element::Rotations rotations);
+/// Returns the term of a spring on a body of the space: its stiffness [N/m] and that of its rotation [N m/rad], symmetric and not
+/// negative, by the global axes.
+std::shared_ptr<const Term> body_spring(std::size_t body, const Eigen::Matrix3d& stiffness,
+                                        const Eigen::Matrix3d& of_rotation, element::Rotations rotations);
 
 }  // namespace plastron::energy

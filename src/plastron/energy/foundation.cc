@@ -232,12 +232,28 @@ class FoundationPieces {
   std::vector<FoundationPiece> pieces_{};
 };
 
+/// Returns the term of a spring on a body; null if all its stiffnesses are 0. Throws LoadError if the space has no such body.
+std::shared_ptr<const Term> spring_on_body(const fem::Space& space, const Foundation& spring,
+                                           element::Rotations rotations) {
+  const auto body = std::ranges::find(space.bodies, spring.body, [](const auto& placed) { return placed.body.name; });
+  if (body == space.bodies.end())
+    throw LoadError(
+        fmt::format("the spring \"{}\" is on the rigid body \"{}\", which does not exist", spring.name, spring.body));
+  const auto along_axes = [&](const VectorExpression& stiffnesses) {
+    const Vector3d values(stiffnesses[0](0, 0), stiffnesses[1](0, 0), stiffnesses[2](0, 0));
+    return Eigen::Matrix3d(spring.axes.transpose() * values.asDiagonal() * spring.axes);
+  };
+  const Eigen::Matrix3d stiffness = along_axes(spring.stiffness), of_rotation = along_axes(spring.rotation);
+  if (stiffness.isZero(0) && of_rotation.isZero(0)) return nullptr;
+  return body_spring(static_cast<std::size_t>(body - space.bodies.begin()), stiffness, of_rotation, rotations);
+}
+
 }  // namespace
 
 std::shared_ptr<const Term> foundation_term(const ShellOperator& shell, const Foundation& foundation,
                                             element::Rotations rotations) {
   const fem::Space& space = shell.space();
-  if (!foundation.body.empty()) return body_spring(space, foundation, rotations);
+  if (!foundation.body.empty()) return spring_on_body(space, foundation, rotations);
   const auto at = foundation.point ? fem::cell_point(space, *foundation.point) : std::nullopt;
   auto pieces = algebra::in_agreement<LoadError>(space.layout->comm, [&] {
     FoundationPieces all(shell, foundation);

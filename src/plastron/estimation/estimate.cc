@@ -1,5 +1,6 @@
 #include <plastron/estimation/estimate.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/estimation/contact_edge.hpp>
 #include <plastron/estimation/lifted_bounds.hpp>
 #include <plastron/estimation/strain_errors.hpp>

@@ -128,8 +128,7 @@ Derivative derivative_of(const LargestStress& stress, const Solved& solved) {
   recovery::Choice choice;
   if (stress.is_smooth) choice.patches = solved.recovered();
   const auto peak = recovery::stress_peak(solved.discrete, solved.nodal, choice, solved.singular);
-  int rank = 0;
-  MPI_Comm_rank(solved.discrete.space().layout->comm, &rank);
+  const int rank = algebra::rank_in(solved.discrete.space().layout->comm);
   std::optional<fem::CellPoint> place;
   if (rank == peak.rank && peak.von_mises > 0) place = fem::CellPoint{peak.cell, peak.xi};
   return at_place({.at = peak.x, .kind = StressKind::von_mises, .is_smooth = stress.is_smooth}, place, solved);

@@ -5,7 +5,6 @@
 
 #include <fmt/ranges.h>
 
-#include <cmath>
 #include <numbers>
 
 namespace plastron::examination {

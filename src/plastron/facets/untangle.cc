@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>

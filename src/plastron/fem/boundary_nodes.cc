@@ -1,5 +1,6 @@
 #include <plastron/fem/boundary_nodes.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/mesh/basis.hpp>
 
@@ -7,20 +8,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace plastron::fem {
 
 using algebra::GlobalIndex, algebra::LocalIndex;
-using Eigen::Vector3d;
-
-namespace {
-
-/// Size of a packed node: boundary, number, place, normal, tangent.
-constexpr std::size_t boundary_node_size = 11;
-
-}  // namespace
 
 int boundary_index(const mesh::CoarseMesh& coarse, const std::string& name, const char* what) {
   const auto found = std::ranges::find(coarse.boundaries, name);
@@ -36,7 +28,7 @@ namespace {
 std::map<int, std::vector<BoundaryNode>> nodes_of(const Space& space, const Surface& surface,
                                                   const std::vector<BoundarySide>& sides) {
   const auto line = mesh::gauss_lobatto(space.degree + 1).points;
-  std::map<std::pair<int, GlobalIndex>, std::array<Vector3d, 3>> mine;
+  std::map<std::pair<int, GlobalIndex>, BoundaryNode> mine, all;
   for (const BoundarySide& side : sides) {
     if (side.cell >= space.owned_cells) continue;
     std::vector<Vector2d> xi;
@@ -47,27 +39,17 @@ std::map<int, std::vector<BoundaryNode>> nodes_of(const Space& space, const Surf
     const Vector2d tangent = mesh::side_tangent(space.shape(), side.side);
     const auto on_side = mesh::side_nodes(space.shape(), space.degree, side.side);
     for (std::size_t i = 0; i < xi.size(); ++i) {
-      const LocalIndex node = space.nodes(side.cell)[on_side[i]];
-      mine[{side.boundary, space.layout->global(node)}] = {frames[i].phi, frames[i].a3,
-                                                           geometry::along(frames[i], tangent).normalized()};
+      const GlobalIndex node = space.layout->global(space.nodes(side.cell)[on_side[i]]);
+      mine[{side.boundary, node}] = {node, frames[i].phi, frames[i].a3,
+                                     geometry::along(frames[i], tangent).normalized()};
     }
   }
-  std::vector<double> packed;
-  for (const auto& [key, at] : mine) {
-    packed.push_back(static_cast<double>(key.first));
-    packed.push_back(static_cast<double>(key.second));
-    for (const Vector3d& v : at) packed.insert(packed.end(), v.begin(), v.end());
-  }
-  const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
-  std::map<int, std::map<GlobalIndex, BoundaryNode>> nodes;
-  for (std::size_t i = 0; i < all.size(); i += boundary_node_size) {
-    const auto node = static_cast<GlobalIndex>(all[i + 1]);
-    const auto vector = [&](std::size_t at) { return Vector3d(all[i + at], all[i + at + 1], all[i + at + 2]); };
-    nodes[static_cast<int>(all[i])].emplace(node, BoundaryNode{node, vector(2), vector(5), vector(8)});
-  }
+  std::vector<std::pair<int, BoundaryNode>> items;
+  for (const auto& [key, node] : mine) items.emplace_back(key.first, node);
+  for (const auto& [boundary, node] : algebra::gathered(items, space.layout->comm))
+    all.emplace(std::pair(boundary, node.node), node);
   std::map<int, std::vector<BoundaryNode>> lists;
-  for (const auto& [boundary, of_boundary] : nodes)
-    for (const auto& [node, at] : of_boundary) lists[boundary].push_back(at);
+  for (const auto& [key, node] : all) lists[key.first].push_back(node);
   return lists;
 }
 

@@ -14,8 +14,7 @@ std::optional<CellPoint> cell_point(const Space& space, const Vector2d& at) {
   std::optional<CellPoint> point;
   for (std::size_t c = 0; c < space.owned_cells && !point; ++c)
     if (const auto xi = local_coordinates(space.shape(), space.cells[c], *location)) point = CellPoint{c, *xi};
-  int rank = 0;
-  MPI_Comm_rank(space.layout->comm, &rank);
+  const int rank = algebra::rank_in(space.layout->comm);
   const double first = algebra::min_over_ranks(point ? rank : std::numeric_limits<double>::max(), space.layout->comm);
   if (first != rank) point.reset();
   return point;

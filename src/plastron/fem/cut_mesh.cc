@@ -1,11 +1,13 @@
 #include <plastron/fem/cut_mesh.hpp>
 
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/mesh/basis.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -135,22 +137,19 @@ class Lattices {
 
 /// Returns the values of a field at the nodes of all cells of all ranks, by coarse cell (collective).
 std::vector<double> whole(const algebra::Vector& field, const Space& space) {
-  const auto block = static_cast<std::size_t>(field.block());
-  const std::size_t size = static_cast<std::size_t>(space.nodes_per_cell()) * block;
-  std::vector<double> mine;
-  mine.reserve(space.owned_cells * (size + 1));
+  const auto size = static_cast<std::size_t>(space.nodes_per_cell() * field.block());
+  std::vector<int> mine;
+  std::vector<double> values;
   for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
     mine.push_back(space.cells[cell].coarse);
-    for (const algebra::LocalIndex node : space.nodes(cell)) {
-      const auto values = field.local().subspan(static_cast<std::size_t>(node) * block, block);
-      mine.insert(mine.end(), values.begin(), values.end());
-    }
+    for (const algebra::LocalIndex node : space.nodes(cell))
+      std::ranges::copy(field.at(static_cast<std::size_t>(node)), std::back_inserter(values));
   }
-  const std::vector<double> records = algebra::gather_over_ranks(mine, space.layout->comm);
+  const std::vector<int> cells = algebra::gathered(mine, space.layout->comm);
+  values = algebra::gathered(values, space.layout->comm);
   std::vector<double> all(space.coarse->cells.size() * size);
-  for (auto record = records.begin(); record != records.end(); record += static_cast<std::ptrdiff_t>(size + 1))
-    std::copy_n(record + 1, size,
-                all.begin() + static_cast<std::ptrdiff_t>(*record) * static_cast<std::ptrdiff_t>(size));
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    std::copy_n(&values[k * size], size, &all[static_cast<std::size_t>(cells[k]) * size]);
   return all;
 }
 

@@ -1,5 +1,6 @@
 // Rigid bodies that carry edges of the shell.
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/constraints/map.hpp>
 #include <plastron/fem/boundary_nodes.hpp>
 #include <plastron/fem/constraints.hpp>
@@ -37,7 +38,7 @@ std::map<GlobalIndex, std::optional<GlobalIndex>> equal_nodes(const Space& space
     packed.push_back(row.terms.size() == 1 ? static_cast<double>(space.layout->global(row.terms[0].node)) : -1);
   }
   std::map<GlobalIndex, std::optional<GlobalIndex>> result;
-  const auto all = algebra::gather_over_ranks(packed, space.layout->comm);
+  const auto all = algebra::gathered(packed, space.layout->comm);
   for (std::size_t i = 0; i < all.size(); i += 2) {
     auto& other = result[static_cast<GlobalIndex>(all[i])];
     if (all[i + 1] >= 0) other = static_cast<GlobalIndex>(all[i + 1]);

@@ -182,7 +182,7 @@ std::optional<Location> locate(const mesh::CoarseMesh& coarse, const Vector2d& p
 
 std::string place_text(const Surface& surface, const Vector2d& point) {
   const auto location = surface.has_directors() ? locate(surface.coarse(), point) : std::nullopt;
-  if (!location) return fmt::format("x = {:.6g}, y = {:.6g}", point[0], point[1]);
+  if (!location) return fmt::format("x = {:.4g}, y = {:.4g}", point[0], point[1]);
   const geometry::Vector3d phi = surface.frame({.coarse = location->coarse}, location->xi, false).phi;
   return fmt::format("(X, Y, Z) = {}", topology::place_of(phi));
 }

@@ -1,5 +1,6 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/algebra/vector.hpp>
 #include <plastron/io/atomic_file.hpp>
 
 #include <fcntl.h>
@@ -21,12 +22,6 @@
 namespace plastron::io {
 
 namespace {
-
-int rank_in(MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank;
-}
 
 /// Runs a step on `path` on every rank. If it throws on one rank, all ranks throw.
 template <class Step>
@@ -151,7 +146,7 @@ std::pair<std::filesystem::path, int> new_temporary(const std::filesystem::path&
 std::int64_t offset_of(std::int64_t size, MPI_Comm comm) {
   std::int64_t offset = 0;
   MPI_Exscan(&size, &offset, 1, MPI_INT64_T, MPI_SUM, comm);
-  return rank_in(comm) == 0 ? 0 : offset;  // Exscan leaves rank 0's result undefined
+  return algebra::rank_in(comm) == 0 ? 0 : offset;  // Exscan leaves rank 0's result undefined
 }
 
 void flush_directory_of(const std::filesystem::path& path) {
@@ -170,14 +165,14 @@ void check_replaceable(const std::filesystem::path& path) {
 void AtomicFiles::make_temporary_directory(const std::filesystem::path& first) {
   std::string name;
   together("write", first, comm_, [&] {
-    if (rank_in(comm_) == 0) std::tie(temporary_, lock_) = new_temporary(first.parent_path());
+    if (algebra::rank_in(comm_) == 0) std::tie(temporary_, lock_) = new_temporary(first.parent_path());
     name = temporary_.string();
   });
   temporary_ = algebra::first_words(name, comm_);
 }
 
 void AtomicFiles::remove_temporary_directory() {
-  if (rank_in(comm_) == 0 && !temporary_.empty()) {
+  if (algebra::rank_in(comm_) == 0 && !temporary_.empty()) {
     remove_temporary(temporary_);
     ::close(lock_);
   }
@@ -186,7 +181,7 @@ void AtomicFiles::remove_temporary_directory() {
 
 void AtomicFiles::add(const std::filesystem::path& path, const Piece& piece) {
   constexpr std::string_view what = "write";
-  const bool root = rank_in(comm_) == 0;
+  const bool root = algebra::rank_in(comm_) == 0;
   std::string text;
   together(what, path, comm_, [&] { text = piece(); });
   const std::int64_t offset = offset_of(static_cast<std::int64_t>(text.size()), comm_);
@@ -206,12 +201,12 @@ void AtomicFiles::add(const std::filesystem::path& path, const Piece& piece) {
 }
 
 void AtomicFiles::add_text(const std::filesystem::path& path, const Piece& text) {
-  add(path, [&] { return rank_in(comm_) == 0 ? text() : std::string(); });
+  add(path, [&] { return algebra::rank_in(comm_) == 0 ? text() : std::string(); });
 }
 
 void AtomicFiles::keep_first(std::size_t count) {
   std::error_code ignored;  // what is left disappears with the temporary directory
-  for (std::size_t i = count; i < files_.size() && rank_in(comm_) == 0; ++i)
+  for (std::size_t i = count; i < files_.size() && algebra::rank_in(comm_) == 0; ++i)
     std::filesystem::remove(files_[i].temporary, ignored);
   files_.resize(std::min(count, files_.size()));
   MPI_Barrier(comm_);  // the files are removed when any rank returns
@@ -220,7 +215,7 @@ void AtomicFiles::keep_first(std::size_t count) {
 void AtomicFiles::commit(std::string_view sign) {
   const auto on_first = [this](const File& file, const auto& step) {
     together("write", file.path, comm_, [&] {
-      if (rank_in(comm_) == 0) step();
+      if (algebra::rank_in(comm_) == 0) step();
     });
   };
   std::stable_partition(files_.begin(), files_.end(), [&](const File& file) { return file.path.filename() != sign; });
@@ -242,12 +237,6 @@ void AtomicFiles::commit(std::string_view sign) {
 
 AtomicFiles::~AtomicFiles() { remove_temporary_directory(); }
 
-void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm) {
-  AtomicFiles one(comm);
-  one.add(path, piece);
-  one.commit();
-}
-
 void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::vector<std::filesystem::path>& made) {
   together("make the directory", directory, comm, [&] {
     for (auto above = directory; !above.empty() && !std::filesystem::exists(above); above = above.parent_path()) {
@@ -256,39 +245,40 @@ void try_directory(const std::filesystem::path& directory, MPI_Comm comm, std::v
     }
   });
   make_directory(directory, comm);
-  if (rank_in(comm) == 0) remove_temporaries_of_dead(directory);
+  if (algebra::rank_in(comm) == 0) remove_temporaries_of_dead(directory);
   // Large enough to fail on a full disk: one block may already be allocated in the directory.
   constexpr std::size_t some = 1 << 16;
   {
     AtomicFiles attempt(comm);
-    attempt.add(directory / ".plastron-may-write", [&] { return std::string(rank_in(comm) == 0 ? some : 0, '\n'); });
+    attempt.add(directory / ".plastron-may-write",
+                [&] { return std::string(algebra::rank_in(comm) == 0 ? some : 0, '\n'); });
   }
   MPI_Barrier(comm);  // the file is removed when any rank returns
 }
 
 void remove_empty(const std::vector<std::filesystem::path>& directories, MPI_Comm comm) {
   const std::vector<std::filesystem::path> from_inside(directories.rbegin(), directories.rend());
-  if (rank_in(comm) == 0)
+  if (algebra::rank_in(comm) == 0)
     for (const auto& directory : from_inside) ::rmdir(directory.c_str());
   MPI_Barrier(comm);  // they are removed when any rank returns
 }
 
 void make_directory(const std::filesystem::path& directory, MPI_Comm comm) {
   together("make the directory", directory, comm, [&] {
-    if (rank_in(comm) == 0) std::filesystem::create_directories(directory);
+    if (algebra::rank_in(comm) == 0) std::filesystem::create_directories(directory);
   });
 }
 
 void remove_file(const std::filesystem::path& path, MPI_Comm comm) {
   together("remove", path, comm, [&] {
-    if (rank_in(comm) == 0) std::filesystem::remove(path);
+    if (algebra::rank_in(comm) == 0) std::filesystem::remove(path);
   });
 }
 
 void remove_files(const std::filesystem::path& directory, MPI_Comm comm,
                   const std::function<bool(const std::string&)>& is_chosen) {
   together("remove files from", directory, comm, [&] {
-    if (rank_in(comm) != 0) return;
+    if (algebra::rank_in(comm) != 0) return;
     std::vector<std::filesystem::path> chosen;
     for (const auto& entry : std::filesystem::directory_iterator(directory))
       if (entry.is_regular_file() && is_chosen(entry.path().filename().string())) chosen.push_back(entry.path());

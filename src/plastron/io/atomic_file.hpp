@@ -62,9 +62,6 @@ class AtomicFiles {
   int lock_ = -1;  ///< the first rank's lock on the temporary directory; it shows that the process is running
 };
 
-/// Writes a single file.
-void write_atomically(const std::filesystem::path& path, const Piece& piece, MPI_Comm comm);
-
 /// Makes a directory and its parent directories; no error if it exists.
 void make_directory(const std::filesystem::path& directory, MPI_Comm comm);
 

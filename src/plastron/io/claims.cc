@@ -1,6 +1,5 @@
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/io/claims.hpp>
-#include <plastron/io/output.hpp>
 
 #include <fmt/format.h>
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace plastron::io {
@@ -53,8 +52,7 @@ std::string line_csv(const std::vector<recovery::PointValues>& points, const Ing
 
 std::vector<LineTable> line_tables(const computation::Solution& solution, const std::vector<problem::Line>& lines,
                                    const problem::Output& given) {
-  int rank = 0;
-  MPI_Comm_rank(solution.discrete->space().layout->comm, &rank);
+  const int rank = algebra::rank_in(solution.discrete->space().layout->comm);
   const Ingredients ingredients = ingredients_of(*solution.discrete);
   std::vector<LineTable> tables;
   for (const problem::Line& line : lines) {

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace plastron::io {
 
@@ -53,8 +52,7 @@ std::vector<std::string> add_modes(const computation::Solution& solution, const 
                                    AtomicFiles& files) {
   const energy::ShellOperator& shell = solution.discrete->shell;
   const ModeHeader header = header_of(shell.space());
-  int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
+  const int rank = algebra::rank_in(files.comm());
   std::vector<std::string> names;
   for (const computation::Mode& mode : solution.modes) {
     if (mode.kind == computation::Mode::Kind::softest) continue;

@@ -4,8 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 namespace plastron::io {
 
@@ -14,6 +17,11 @@ using Json = nlohmann::ordered_json;
 /// Form of a quantity's value. Numbers that are not finite are null.
 enum class Form { number, integer, text, flag, pair, triple };
 
+/// Returns null for infinity and NaN, which JSON does not have. A zero gets no sign: two runs of a case may have different ones.
+Json number(double value);
+Json triple(const Eigen::Vector3d& v);
+Json pair(const Eigen::Vector2d& v);
+
 /// A number or text of a record.
 template <class Record>
 struct Quantity {
@@ -21,13 +29,37 @@ struct Quantity {
   std::string_view unit;
   std::string_view meaning;
   Json (*take)(const Record&);
-  Form form = Form::number;
-};
+  Form form;
 
-/// Returns null for infinity and NaN, which JSON does not have. A zero gets no sign: two runs of a case may have different ones.
-Json number(double value);
-Json triple(const Eigen::Vector3d& v);
-Json pair(const Eigen::Vector2d& v);
+  /// `value` has no captures and returns a value of the record, whose type gives the form; an optional without value is null.
+  template <class Value>
+  Quantity(std::string_view inside, std::string_view of_value, std::string_view in_words, Value)
+      : path(inside),
+        unit(of_value),
+        meaning(in_words),
+        take([](const Record& record) { return json_of(Value{}(record)); }),
+        form(form_of(std::invoke_result_t<Value, const Record&>{})) {}
+
+ private:
+  static Json json_of(double value) { return number(value); }
+  static Json json_of(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+  static Json json_of(const Eigen::Vector2d& value) { return pair(value); }
+  static Json json_of(const Eigen::Vector3d& value) { return triple(value); }
+  template <class Other>
+  static Json json_of(const Other& value) {
+    return Json(value);
+  }
+  template <class Type>
+  static constexpr Form form_of(const Type&) {
+    if constexpr (std::is_same_v<Type, Eigen::Vector2d>) return Form::pair;
+    if constexpr (std::is_same_v<Type, Eigen::Vector3d> || std::is_same_v<Type, std::array<double, 3>>)
+      return Form::triple;
+    if constexpr (std::is_same_v<Type, bool>) return Form::flag;
+    if constexpr (std::is_integral_v<Type>) return Form::integer;
+    if constexpr (std::is_same_v<Type, double> || std::is_same_v<Type, std::optional<double>>) return Form::number;
+    return Form::text;
+  }
+};
 
 std::span<const Quantity<computation::Result>> result_quantities();
 /// Paths inside "linearity.quantities[]".

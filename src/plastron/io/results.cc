@@ -274,11 +274,4 @@ void add_results(const computation::Result& result, const Provenance& provenance
   });
 }
 
-void write_results(const computation::Result& result, const Provenance& provenance,
-                   const std::filesystem::path& directory, MPI_Comm comm) {
-  AtomicFiles files(comm);
-  add_results(result, provenance, directory, files);
-  files.commit();
-}
-
 }  // namespace plastron::io

@@ -56,6 +56,8 @@ struct Provenance {
 };
 
 inline constexpr std::string_view results_name = "results.json";
+/// SHA-256 of all other files, for `plastron verify` and `sha256sum --check`.
+inline constexpr std::string_view checksums_name = "SHA256SUMS";
 
 /// Returns one record for each instant, with its obstacles and probes; empty without steps.
 Json history_json(const computation::Result& result);
@@ -64,8 +66,5 @@ Json results_json(const computation::Result& result, const Provenance& provenanc
 /// Adds directory/results.json to the files (collective; the text is rank 0's). Throws std::runtime_error.
 void add_results(const computation::Result& result, const Provenance& provenance,
                  const std::filesystem::path& directory, AtomicFiles& files);
-/// Writes results.json alone.
-void write_results(const computation::Result& result, const Provenance& provenance,
-                   const std::filesystem::path& directory, MPI_Comm comm);
 
 }  // namespace plastron::io

@@ -3,7 +3,6 @@
 #include <plastron/io/vtu_piece.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace plastron::io {
 

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -106,8 +104,7 @@ void add_solution(const computation::Solution& solution, const std::filesystem::
   const fem::Space& space = solution.discrete->space();
   const SolutionHeader header = header_of(solution);
   const NodeFields fields(solution);
-  int rank = 0;
-  MPI_Comm_rank(files.comm(), &rank);
+  const int rank = algebra::rank_in(files.comm());
   files.add(path, [&] {
     std::string text;
     text.reserve(preamble_size(header) + space.owned_cells * record_size(header, space.nodes_per_cell()));

@@ -114,14 +114,4 @@ void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path
   files.add_text(path, [&] { return pvd_text(sets); });
 }
 
-std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
-                                   const std::string& base_name, const VtuChoice& choice) {
-  AtomicFiles files(solution.discrete->space().layout->comm);
-  std::vector<std::string> names{base_name + ".vtu", base_name + ".pvd"};
-  add_vtu(solution, directory / names[0], files, choice);
-  add_pvd({{0, names[0]}}, directory / names[1], files);
-  files.commit();
-  return names;
-}
-
 }  // namespace plastron::io

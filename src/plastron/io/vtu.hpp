@@ -37,10 +37,6 @@ struct DataSet {
 /// Adds a .pvd file with the names of the data sets (collective). Throws std::runtime_error.
 void add_pvd(const std::vector<DataSet>& sets, const std::filesystem::path& path, AtomicFiles& files);
 
-/// Writes only base_name.vtu and base_name.pvd, and returns their names.
-std::vector<std::string> write_vtu(const computation::Solution& solution, const std::filesystem::path& directory,
-                                   const std::string& base_name, const VtuChoice& choice = {});
-
 /// The file of the last instant; other instants have solid-0001.vtu and so on.
 inline constexpr std::string_view solid_name = "solid.vtu";
 

@@ -1,6 +1,7 @@
 #include <plastron/meshing/chord_cuts.hpp>
 
 #include <plastron/algebra/assertion.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/vector.hpp>
 #include <plastron/fem/cut_mesh.hpp>
 #include <plastron/geometry/frame.hpp>

@@ -1,16 +1,11 @@
 // A rigid obstacle as a value: a shape in space, its motion in steps or its pressing force, and the face of the shell
 // that it touches.
 #pragma once
-#include <plastron/obstacle/ball.hpp>
 #include <plastron/obstacle/bed.hpp>
-#include <plastron/obstacle/box.hpp>
-#include <plastron/obstacle/cone.hpp>
-#include <plastron/obstacle/cylinder.hpp>
 #include <plastron/obstacle/distance_field.hpp>
-#include <plastron/obstacle/half_space.hpp>
 #include <plastron/obstacle/height_field.hpp>
 #include <plastron/obstacle/motion.hpp>
-#include <plastron/obstacle/torus.hpp>
+#include <plastron/obstacle/shapes.hpp>
 #include <plastron/obstacle/triangle_surface.hpp>
 
 #include <span>

@@ -1,6 +1,5 @@
 #include <plastron/obstacle/triangle_features.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>

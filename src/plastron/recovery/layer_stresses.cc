@@ -1,5 +1,7 @@
 #include <plastron/recovery/layer_stresses.hpp>
 
+#include <plastron/algebra/gathered.hpp>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -10,7 +12,6 @@ namespace plastron::recovery {
 namespace {
 
 constexpr std::array components{"11", "22", "12", "13", "23"};
-constexpr std::size_t entries_of_place = 7;  // stress, height, x, position
 
 /// The most and the least of one component, the least with the sign changed: both are maxima.
 using Extremes = std::array<PlacedStress, 2>;
@@ -70,17 +71,9 @@ class LayerSearch {
 
   /// Makes the extremes those of all ranks (collective).
   void gather(MPI_Comm comm) {
-    std::vector<double> mine;
-    for (const Extremes& both : extremes_)
-      for (const PlacedStress& p : both)
-        mine.insert(mine.end(), {p.stress, p.height, p.x[0], p.x[1], p.position[0], p.position[1], p.position[2]});
-    const std::vector<double> all = algebra::gather_over_ranks(mine, comm);
-    for (std::size_t at = 0; at < all.size(); at += entries_of_place) {
-      const double* v = all.data() + at;
-      const std::size_t place = at % mine.size() / entries_of_place;
-      take({.stress = v[0], .height = v[1], .x = {v[2], v[3]}, .position = {v[4], v[5], v[6]}},
-           extremes_[place / 2][place % 2]);
-    }
+    const std::vector<Extremes> all = algebra::gathered(extremes_, comm);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < 2; ++k) take(all[i][k], extremes_[i % extremes_.size()][k]);
   }
 
   std::vector<LayerStress> list() const {

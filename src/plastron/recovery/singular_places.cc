@@ -1,5 +1,6 @@
 #include <plastron/recovery/singular_places.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/solution/contact_faces.hpp>
 #include <plastron/solution/contact_width.hpp>
 #include <plastron/solution/place_order.hpp>
@@ -97,37 +98,6 @@ void add_ends(const assembly::DiscreteShell& discrete, const fem::BoundarySide& 
   }
 }
 
-constexpr std::size_t numbers_per_edge_end = 18;
-
-std::vector<double> packed(const std::vector<SideEnd>& ends) {
-  std::vector<double> numbers;
-  for (const SideEnd& e : ends) {
-    numbers.insert(numbers.end(),
-                   {static_cast<double>(e.node), e.is_forward ? 1.0 : 0.0, static_cast<double>(e.boundary)});
-    for (const Hold hold : e.holds) numbers.push_back(static_cast<double>(hold));
-    for (const Vector3d* v : {&e.tangent, &e.a3, &e.position}) numbers.insert(numbers.end(), v->begin(), v->end());
-    numbers.insert(numbers.end(), {e.at[0], e.at[1], e.thickness});
-  }
-  return numbers;
-}
-
-std::map<algebra::GlobalIndex, std::vector<SideEnd>> by_node(const std::vector<double>& numbers) {
-  std::map<algebra::GlobalIndex, std::vector<SideEnd>> nodes;
-  for (std::size_t i = 0; i < numbers.size(); i += numbers_per_edge_end) {
-    const double* n = numbers.data() + i;
-    SideEnd end{
-        .node = static_cast<algebra::GlobalIndex>(n[0]), .is_forward = n[1] != 0, .boundary = static_cast<int>(n[2])};
-    for (std::size_t k = 0; k < 3; ++k) end.holds[k] = static_cast<Hold>(static_cast<int>(n[3 + k]));
-    end.tangent = {n[6], n[7], n[8]};
-    end.a3 = {n[9], n[10], n[11]};
-    end.position = {n[12], n[13], n[14]};
-    end.at = {n[15], n[16]};
-    end.thickness = n[17];
-    nodes[end.node].push_back(end);
-  }
-  return nodes;
-}
-
 /// The largest angle between two edges at which stresses are bounded [rad].
 double bounded_up_to(const Holds& a, const Holds& b) {
   constexpr double pi = std::numbers::pi, held_and_free = 63 * pi / 180;
@@ -159,8 +129,10 @@ std::vector<SingularPlace> singular_corners(const assembly::DiscreteShell& discr
   std::vector<SideEnd> mine;
   for (const fem::BoundarySide& side : space.sides)
     if (side.cell < space.owned_cells && !side.is_inner) add_ends(discrete, side, mine);
+  std::map<algebra::GlobalIndex, std::vector<SideEnd>> by_node;
+  for (const SideEnd& end : algebra::gathered(mine, space.layout->comm)) by_node[end.node].push_back(end);
   std::vector<SingularPlace> places;
-  for (const auto& [node, ends] : by_node(algebra::gather_over_ranks(packed(mine), space.layout->comm))) {
+  for (const auto& [node, ends] : by_node) {
     const SideEnd forward = joined(ends, true), backward = joined(ends, false);
     if (forward.a3.isZero(0) || backward.a3.isZero(0)) continue;
     const double sine = forward.a3.dot(forward.tangent.cross(backward.tangent)),
@@ -201,19 +173,16 @@ std::vector<NarrowNode> narrow_nodes(const assembly::DiscreteShell& discrete, co
                                      const algebra::Vector& with_area, std::size_t obstacle) {
   const std::size_t obstacles = discrete.obstacles.all.size();
   const std::vector<char> on_edges = solution::nodes_on_edges(discrete);  // a line of contact there is an ordinary load
-  std::vector<double> mine;
+  std::vector<NarrowNode> mine;
   for (std::size_t i = 0; i < static_cast<std::size_t>(discrete.space().layout->owned); ++i) {
     const std::size_t at = i * obstacles + obstacle;
     if (on_edges[i] != 0) continue;
     if (!(faces.touching.local()[at] > 0.5) || with_area.local()[at] > 0) continue;
     const assembly::NodalPoint& p = discrete.points[i];
-    mine.insert(mine.end(), {faces.pressure.local()[at] * p.side_weight, p.x[0], p.x[1], p.phi[0], p.phi[1], p.phi[2],
-                             std::max(p.thickness, std::sqrt(p.weight) / 2)});
+    mine.push_back(
+        {faces.pressure.local()[at] * p.side_weight, p.x, p.phi, std::max(p.thickness, std::sqrt(p.weight) / 2)});
   }
-  const std::vector<double> all = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
-  std::vector<NarrowNode> nodes;
-  for (std::size_t i = 0; i < all.size(); i += 7)
-    nodes.push_back({all[i], {all[i + 1], all[i + 2]}, {all[i + 3], all[i + 4], all[i + 5]}, all[i + 6]});
+  std::vector<NarrowNode> nodes = algebra::gathered(mine, discrete.space().layout->comm);
   constexpr double same = 1 - 1e-6;
   double largest = 0;
   for (const NarrowNode& node : nodes) largest = std::max(largest, node.force);
@@ -258,17 +227,13 @@ std::vector<SingularPlace> singular_places(const assembly::DiscreteShell& discre
   constexpr double negligible = 1e-6;
   for (const solution::PointReaction& point : summary.point_reactions) {
     if (point.force.norm() <= negligible * summary.force_scale()) continue;
-    std::vector<double> mine;
+    std::vector<std::pair<Vector3d, double>> mine;  // positions and thicknesses
     for (const auto node : assembly::owned_nodes_at(discrete.space(), discrete.points, point.at)) {
       const assembly::NodalPoint& p = discrete.points[static_cast<std::size_t>(node)];
-      mine.insert(mine.end(), {p.phi[0], p.phi[1], p.phi[2], p.thickness});
+      mine.emplace_back(p.phi, p.thickness);
     }
-    const auto found = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
-    for (std::size_t i = 0; i < found.size(); i += 4)
-      places.push_back({.what = "support at a point",
-                        .at = point.at,
-                        .position = {found[i], found[i + 1], found[i + 2]},
-                        .radius = found[i + 3]});
+    for (const auto& [position, thickness] : algebra::gathered(mine, discrete.space().layout->comm))
+      places.push_back({.what = "support at a point", .at = point.at, .position = position, .radius = thickness});
   }
   std::ranges::stable_sort(
       places, {}, [&](const SingularPlace& place) { return solution::in_units(place.position, summary.size); });

@@ -1,5 +1,6 @@
 #include <plastron/recovery/stress_peak.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/assembly/nodal_geometry.hpp>
 #include <plastron/solution/place_order.hpp>
 
@@ -54,10 +55,8 @@ double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete,
                 const Choice& choice) {
   const MPI_Comm comm = discrete.space().layout->comm;
   if (!choice.patches) return std::numeric_limits<double>::quiet_NaN();
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
   double error = 0;
-  if (rank == peak.rank && peak.von_mises > 0) {
+  if (algebra::rank_in(comm) == peak.rank && peak.von_mises > 0) {
     const PointValues alone = Recovery(discrete, solution, {peak.xi}, {.axis = choice.axis})(peak.cell).front();
     error = std::abs(peak.von_mises - shell::largest_von_mises(section_forces(alone)).stress);
   }
@@ -69,32 +68,16 @@ double error_of(const StressPeak& peak, const assembly::DiscreteShell& discrete,
 StressPeak stress_peak(const assembly::DiscreteShell& discrete, const NodalSolution& solution, const Choice& choice,
                        std::span<const SingularPlace> singular) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  constexpr std::size_t entries = 11;  // stress, height, x, position, rank, cell, xi
-  std::vector<double> mine;
-  for (const StressPeak& p : local_peaks(discrete, solution, choice, singular)) {
-    mine.insert(mine.end(), {p.von_mises, p.height, p.x[0], p.x[1]});
-    mine.insert(mine.end(), p.position.begin(), p.position.end());
-    mine.insert(mine.end(), {static_cast<double>(rank), static_cast<double>(p.cell), p.xi[0], p.xi[1]});
-  }
-  const std::vector<double> all = algebra::gather_over_ranks(mine, comm);
+  std::vector<StressPeak> mine = local_peaks(discrete, solution, choice, singular);
+  for (StressPeak& p : mine) p.rank = algebra::rank_in(comm);
+  const std::vector<StressPeak> all = algebra::gathered(mine, comm);
   double most = 0;
-  for (std::size_t at = 0; at < all.size(); at += entries) most = std::max(most, all[at]);
+  for (const StressPeak& p : all) most = std::max(most, p.von_mises);
   const auto place = [&](std::size_t i) { return discrete.points[i].phi; };
   const double size = assembly::bounding_box(discrete.points.size(), place, comm).half_diagonal();
   StressPeak peak;
-  for (std::size_t at = 0; at < all.size(); at += entries) {
-    const double* v = all.data() + at;
-    const StressPeak here{.von_mises = v[0],
-                          .height = v[1],
-                          .x = {v[2], v[3]},
-                          .position = {v[4], v[5], v[6]},
-                          .rank = static_cast<int>(v[7]),
-                          .cell = static_cast<std::size_t>(v[8]),
-                          .xi = {v[9], v[10]}};
+  for (const StressPeak& here : all)
     if (here.von_mises >= same * most && (peak.von_mises == 0 || is_before(here, peak, size))) peak = here;
-  }
   peak.error = error_of(peak, discrete, solution, choice);
   return peak;
 }

@@ -1,5 +1,6 @@
 #include <plastron/solution/support_shares.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/geometry/symmetric_eigen.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/solution/place_order.hpp>
@@ -7,12 +8,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
-#include <span>
-#include <tuple>
 
 namespace plastron::solution {
 
@@ -94,23 +92,6 @@ struct CornerEdge {
   double length_within = 0, length_next = 0;  ///< length of edge represented by nodes
   double continuation() const { return length_next > 0 ? length_within / length_next : 0; }
 };
-
-void pack(const SupportCorner& corner, std::vector<double>& numbers) {
-  numbers.insert(numbers.end(), {corner.at[0], corner.at[1], corner.place[0], corner.place[1], corner.place[2],
-                                 corner.reach, static_cast<double>(corner.boundaries.size())});
-  for (const std::size_t b : corner.boundaries) numbers.push_back(static_cast<double>(b));
-  numbers.insert(numbers.end(), corner.shared.data(), corner.shared.data() + corner.shared.size());
-}
-
-SupportCorner unpacked(std::span<const double>& n) {
-  SupportCorner corner{.at = {n[0], n[1]}, .place = {n[2], n[3], n[4]}, .reach = n[5]};
-  const auto count = static_cast<std::size_t>(n[6]);
-  n = n.subspan(7);
-  for (const double b : n.first(count)) corner.boundaries.push_back(static_cast<std::size_t>(b));
-  corner.shared = Eigen::Map<const Matrix6>(n.data() + count);
-  n = n.subspan(count + static_cast<std::size_t>(corner.shared.size()));
-  return corner;
-}
 
 }  // namespace
 
@@ -223,13 +204,15 @@ SupportShares::Holdings SupportShares::holdings(const assembly::DiscreteShell& d
 
 void SupportShares::find_corners(const assembly::DiscreteShell& discrete, const Holdings& all) {
   const MPI_Comm comm = discrete.space().layout->comm;
-  std::vector<double> lengths(boundaries_.size(), 0), mine;
+  std::vector<double> lengths(boundaries_.size(), 0);
+  std::vector<CornerPlace> mine;
+  std::vector<std::size_t> edges;  // of one corner after the other
   for (const auto& [node, at] : all)
     for (const Holding& h : at)
       if (!h.is_point) lengths[h.carrier] += h.length;
   lengths = algebra::sums_over_ranks(lengths, comm);
   for (const auto& [node, at] : all) {
-    SupportCorner corner{.at = discrete.points[node].x, .place = discrete.points[node].phi};
+    CornerPlace corner{.at = discrete.points[node].x, .place = discrete.points[node].phi};
     corner.reach = layer_reach * discrete.points[node].thickness;
     std::set<std::size_t> boundaries;
     for (const Holding& a : at)
@@ -242,12 +225,18 @@ void SupportShares::find_corners(const assembly::DiscreteShell& discrete, const 
       }
     if (boundaries.empty()) continue;
     corner.shared = span_of(corner.shared);
-    corner.boundaries.assign(boundaries.begin(), boundaries.end());
+    corner.edges = boundaries.size();
     for (const std::size_t b : boundaries) corner.reach = std::min(corner.reach, most_of_edge * lengths[b]);
-    pack(corner, mine);
+    mine.push_back(corner);
+    edges.insert(edges.end(), boundaries.begin(), boundaries.end());
   }
-  const std::vector<double> numbers = algebra::gather_over_ranks(mine, comm);
-  for (std::span<const double> rest(numbers); !rest.empty();) corners_.push_back(unpacked(rest));
+  edges = algebra::gathered(edges, comm);
+  auto next = edges.begin();
+  for (const CornerPlace& corner : algebra::gathered(mine, comm)) {
+    const auto end = next + static_cast<std::ptrdiff_t>(corner.edges);
+    corners_.push_back({corner, {next, end}});
+    next = end;
+  }
   double size = 0;
   for (const assembly::NodalPoint& p : discrete.points) size = std::max(size, p.phi.cwiseAbs().maxCoeff());
   size = algebra::max_over_ranks(size, comm);

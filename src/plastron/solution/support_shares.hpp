@@ -19,12 +19,15 @@ namespace plastron::solution {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// A corner where edges meet at an angle, with at least one direction fixed by supports of several edges.
-struct SupportCorner {
-  std::vector<std::size_t> boundaries{};            ///< places in SupportShares::boundaries(), ascending
+struct CornerPlace {
+  std::size_t edges = 0;                            ///< number of these edges
   Eigen::Vector2d at = Eigen::Vector2d::Zero();     ///< in Omega
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< on the mid-surface [m]
   double reach = 0;                                 ///< length along the edges over which its force is spread [m]
   Matrix6 shared = Matrix6::Zero();  ///< projector on the directions of (u, r) fixed by several of its edges
+};
+struct SupportCorner : CornerPlace {
+  std::vector<std::size_t> boundaries{};  ///< places in SupportShares::boundaries(), ascending
 };
 
 class SupportShares {

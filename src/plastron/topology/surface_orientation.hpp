@@ -1,12 +1,27 @@
-// One orientation for cells that are connected through edges of two cells.
+// Edges of a mesh in space, where sides of cells meet, and one orientation for cells that are connected through edges of two
+// cells.
 #pragma once
-#include <plastron/topology/surface_edge.hpp>
+#include <plastron/topology/space_mesh.hpp>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace plastron::topology {
+
+/// By number of cells and by angle: one cell; two cells; two cells; three or more cells.
+enum class EdgeKind { border, smooth, fold, branch };
+
+struct SurfaceEdge {
+  std::array<int, 2> ends;  ///< nodes, ascending
+  EdgeKind kind = EdgeKind::border;
+  double angle = 0;  ///< largest between normals of two cells, over the nodes of the edge [rad]; border: 0
+  std::size_t first_side = 0, side_count = 0;  ///< range of SurfaceTopology::sides
+  /// A fold that no other edge continues at either end: it cannot be cut and counts as smooth.
+  bool is_lone_fold = false;
+};
 
 /// The rule that chose the side to which a_3 points.
 enum class SignRule { file, outward, upper };

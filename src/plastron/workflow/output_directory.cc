@@ -1,6 +1,6 @@
 #include <plastron/workflow/output_directory.hpp>
 
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <stdexcept>
 
@@ -19,7 +19,7 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& directory,
     : OutputDirectory(directory, comm) {
   if (!obstacle_.empty()) return;
   try {
-    io::check_replaceable(directory, base_name, inputs, comm);
+    check_replaceable(directory, base_name, inputs, comm);
   } catch (const std::runtime_error& error) {
     obstacle_ = error.what();
   }

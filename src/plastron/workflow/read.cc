@@ -1,6 +1,7 @@
 #include <plastron/workflow/read.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/vector.hpp>
 #include <plastron/assembly/nodal_coordinates.hpp>
 #include <plastron/computation/sensitivity.hpp>
 #include <plastron/config/printable.hpp>
@@ -73,32 +74,25 @@ void show_shell(const config::Case& c) {
   }
 }
 
-bool is_first_rank(MPI_Comm comm) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  return rank == 0;
+template <class... Errors>
+bool is_one_of(const std::exception& error) {
+  return (... || (dynamic_cast<const Errors*>(&error) != nullptr));
+}
+
+RefusedCase refused(const std::exception& error) {
+  return RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
 }
 
 }  // namespace
 
 void refusing(const std::function<void()>& work) {
-  const auto refuse = [](const std::exception& error) {
-    throw RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
-  };
   try {
     work();
-  } catch (const mesh::DomainError& error) {
-    refuse(error);
-  } catch (const assembly::SupportError& error) {
-    refuse(error);
-  } catch (const obstacle::ObstacleError& error) {
-    refuse(error);
-  } catch (const energy::LoadError& error) {
-    refuse(error);
-  } catch (const geometry::FunctionError& error) {
-    refuse(error);
-  } catch (const computation::SensitivityError& error) {
-    refuse(error);
+  } catch (const std::exception& error) {
+    if (!is_one_of<mesh::DomainError, assembly::SupportError, obstacle::ObstacleError, energy::LoadError,
+                   geometry::FunctionError, computation::SensitivityError>(error))
+      throw;
+    throw refused(error);
   }
 }
 
@@ -115,7 +109,7 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
     try {
       read_modes(c.problem);
     } catch (const io::UnusableResults& error) {
-      throw RefusedCase(fmt::format("error: {}\n", config::printable(std::string_view(error.what()))));
+      throw refused(error);
     }
   });
   try {
@@ -131,7 +125,7 @@ config::Case read_together(const std::function<config::Case()>& read, MPI_Comm c
 std::vector<examination::Finding> examine_together(
     const std::function<std::vector<examination::Finding>()>& examination, MPI_Comm comm) {
   const auto mine = algebra::in_agreement<mesh::DomainError, obstacle::ObstacleError>(
-      comm, [&] { return is_first_rank(comm) ? examination() : std::vector<examination::Finding>{}; });
+      comm, [&] { return algebra::rank_in(comm) == 0 ? examination() : std::vector<examination::Finding>{}; });
   return from_one_text(algebra::first_words(in_one_text(mine), comm));
 }
 

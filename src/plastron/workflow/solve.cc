@@ -6,7 +6,7 @@
 
 namespace plastron::workflow {
 
-computation::Result solve(const config::Case& c, const std::vector<examination::Finding>& findings, io::Output& files,
+computation::Result solve(const config::Case& c, const std::vector<examination::Finding>& findings, Output& files,
                           MPI_Comm comm, computation::Observer observer) {
   observer.instant = [&files, told = std::move(observer.instant)](const computation::HistoryEntry& entry,
                                                                   const computation::Solution& solution) {

@@ -3,7 +3,7 @@
 #include <plastron/computation/solve.hpp>
 #include <plastron/config/case.hpp>
 #include <plastron/examination/examine.hpp>
-#include <plastron/io/output.hpp>
+#include <plastron/workflow/output.hpp>
 
 #include <mpi.h>
 
@@ -14,7 +14,7 @@ namespace plastron::workflow {
 
 /// Solves the case as computation::solve() does. Instants of steps are added to `files`, before the observer learns of
 /// them. The result has the warnings of the examination, too (collective).
-computation::Result solve(const config::Case& c, const std::vector<examination::Finding>& findings, io::Output& files,
+computation::Result solve(const config::Case& c, const std::vector<examination::Finding>& findings, Output& files,
                           MPI_Comm comm, computation::Observer observer);
 
 /// Returns the data of results.json besides the result.

@@ -1,6 +1,7 @@
 #include <plastron/zones/boundary_segments.hpp>
 
 #include <plastron/algebra/agreement.hpp>
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/constraints/map.hpp>
 #include <plastron/geometry/frame.hpp>
 #include <plastron/shell/material.hpp>
@@ -280,34 +281,6 @@ class Marching {
   std::vector<Eigen::Vector2d> new_places_{};  // places of the new ends
 };
 
-constexpr std::size_t numbers_per_end = 13, numbers_per_segment = 2 + 2 * numbers_per_end;
-
-void pack(const Segment& segment, std::vector<double>& numbers) {
-  numbers.insert(numbers.end(), {static_cast<double>(segment.zone), segment.is_rim ? 1.0 : 0.0});
-  for (const SegmentEnd& end : segment.ends) {
-    for (const auto& pair : {end.nodes, end.names})
-      for (const GlobalIndex i : pair) numbers.push_back(static_cast<double>(i));
-    numbers.push_back(end.reach);
-    numbers.insert(numbers.end(), end.point.x.begin(), end.point.x.end());
-    for (const Vector3d& v : {end.point.place, end.point.displacement})
-      numbers.insert(numbers.end(), v.begin(), v.end());
-  }
-}
-
-Segment unpacked(const double* n) {
-  Segment segment{.zone = static_cast<int>(n[0]), .is_rim = n[1] != 0, .ends = {}};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double* e = n + 2 + k * numbers_per_end;
-    const auto index = [e](int i) { return static_cast<GlobalIndex>(e[i]); };
-    segment.ends[k] = {
-        .nodes = {index(0), index(1)},
-        .names = {index(2), index(3)},
-        .reach = e[4],
-        .point = {.x = {e[5], e[6]}, .place = {e[7], e[8], e[9]}, .displacement = {e[10], e[11], e[12]}}};
-  }
-  return segment;
-}
-
 }  // namespace
 
 ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution,
@@ -317,16 +290,10 @@ ZoneBoundaries zone_boundaries(const assembly::DiscreteShell& discrete, const so
   const GapOpening opening(discrete, touching);
   const ZoneBoundaries mine =
       algebra::in_agreement(comm, [&] { return Marching(discrete, solution, obstacle, touching, labels, opening)(); });
-  std::vector<double> numbers;
-  numbers.reserve(mine.segments.size() * numbers_per_segment);
-  for (const Segment& segment : mine.segments) pack(segment, numbers);
-  const std::vector<double> all = algebra::gather_over_ranks(numbers, comm);
-  ZoneBoundaries boundaries{.areas = algebra::sums_over_ranks(mine.areas, comm)};
+  ZoneBoundaries boundaries{.segments = algebra::gathered(mine.segments, comm),
+                            .areas = algebra::sums_over_ranks(mine.areas, comm)};
   for (double& area : boundaries.areas)
     area = std::max(area, 0.0);  // along a line, ends may lie on the wrong sides of each other
-  boundaries.segments.reserve(all.size() / numbers_per_segment);
-  for (std::size_t i = 0; i < all.size(); i += numbers_per_segment)
-    boundaries.segments.push_back(unpacked(all.data() + i));
   return boundaries;
 }
 

@@ -1,11 +1,11 @@
 #include <plastron/zones/contact_zones.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/solution/contact_faces.hpp>
 #include <plastron/solution/place_order.hpp>
 #include <plastron/zones/boundary_segments.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -41,16 +41,12 @@ using ZoneSums = Eigen::Matrix<double, 16, 1>;  // weight, nodes, force, moment,
 
 /// Adds up the sums of all ranks; the last entry becomes the largest of all ranks.
 std::vector<ZoneSums> over_ranks(const std::vector<ZoneSums>& mine, MPI_Comm comm) {
-  const auto entries = static_cast<std::size_t>(ZoneSums::RowsAtCompileTime), count = mine.size();
-  std::vector<double> packed;
-  for (const ZoneSums& s : mine) packed.insert(packed.end(), s.begin(), s.end());
-  const auto all = algebra::gather_over_ranks(packed, comm);
-  std::vector<ZoneSums> sums(count, ZoneSums::Zero());
-  for (std::size_t at = 0; at < all.size(); at += entries) {
-    const Eigen::Map<const ZoneSums> s(all.data() + at);
-    ZoneSums& sum = sums[at / entries % count];
-    const double peak = std::max(sum[15], s[15]);
-    sum += s;
+  const std::vector<ZoneSums> all = algebra::gathered(mine, comm);
+  std::vector<ZoneSums> sums(mine.size(), ZoneSums::Zero());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ZoneSums& sum = sums[i % mine.size()];
+    const double peak = std::max(sum[15], all[i][15]);
+    sum += all[i];
     sum[15] = peak;
   }
   return sums;
@@ -95,22 +91,22 @@ double extent_of(const assembly::DiscreteShell& discrete) {
 void find_peaks(const assembly::DiscreteShell& discrete, const solution::ContactFaces& faces, std::size_t obstacle,
                 const ZoneLabels& labels, double size, std::vector<solution::ContactZone>& zones) {
   constexpr double same = 1 - 1e-9;
-  constexpr std::size_t entries = 6;  // zone, x, place
-  std::vector<double> mine;
+  struct Peak {
+    int zone;
+    Eigen::Vector2d x;
+    Vector3d place;
+  };
+  std::vector<Peak> mine;
   for_touching_nodes(discrete, faces, obstacle, labels, [&](const TouchingNode& n) {
     if (n.pressure < same * zones[static_cast<std::size_t>(n.zone)].peak_pressure) return;
-    mine.push_back(n.zone);
-    mine.insert(mine.end(), n.point.x.begin(), n.point.x.end());
-    mine.insert(mine.end(), n.place.begin(), n.place.end());
+    mine.push_back({n.zone, n.point.x, n.place});
   });
-  const auto all = algebra::gather_over_ranks(mine, discrete.space().layout->comm);
   std::vector<char> found(zones.size(), 0);
-  for (std::size_t i = 0; i < all.size(); i += entries) {
-    const auto k = static_cast<std::size_t>(all[i]);
-    const Vector3d place(all[i + 3], all[i + 4], all[i + 5]);
+  for (const auto& [zone, x, place] : algebra::gathered(mine, discrete.space().layout->comm)) {
+    const auto k = static_cast<std::size_t>(zone);
     if (found[k] && solution::in_units(zones[k].peak_place, size) <= solution::in_units(place, size)) continue;
     found[k] = 1;
-    zones[k].peak_x = {all[i + 1], all[i + 2]};
+    zones[k].peak_x = x;
     zones[k].peak_place = place;
   }
 }

@@ -1,5 +1,6 @@
 #include <plastron/zones/gap_opening.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/zones/sub_cells.hpp>
 
 #include <Eigen/QR>
@@ -142,17 +143,16 @@ GapOpening::GapOpening(const assembly::DiscreteShell& discrete, const TouchingNo
   for (char& mark : is_free) mark = mark ? 0 : 1;
   parts_ = zone_labels(space, is_free);
   const std::vector<char> near = near_zones(space, touching.inside(), rings);
-  std::vector<double> mine;
+  std::vector<std::pair<int, FreeNode>> mine;  // the part of each node
   for (std::size_t i = 0; i < static_cast<std::size_t>(space.layout->owned); ++i) {
     const assembly::NodalPoint& p = discrete.points[i];
     if (!is_free[i] || !near[i] || p.weight == 0 || space.continuity.constrains(i)) continue;
     const double root = touching.roots()[i];
-    mine.insert(mine.end(), {static_cast<double>(parts_.of_node[i]), p.phi[0], p.phi[1], p.phi[2], root * root});
+    mine.emplace_back(parts_.of_node[i], FreeNode{p.phi, root * root});
   }
   nodes_.resize(static_cast<std::size_t>(parts_.count));
-  const std::vector<double> all = algebra::gather_over_ranks(mine, space.layout->comm);
-  for (std::size_t at = 0; at < all.size(); at += 5)
-    nodes_[static_cast<std::size_t>(all[at])].push_back({{all[at + 1], all[at + 2], all[at + 3]}, all[at + 4]});
+  for (const auto& [part, node] : algebra::gathered(mine, space.layout->comm))
+    nodes_[static_cast<std::size_t>(part)].push_back(node);
 }
 
 std::optional<Vector3d> GapOpening::way_to_edge(algebra::LocalIndex free, const EdgeSearch& search) const {

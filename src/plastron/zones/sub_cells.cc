@@ -1,10 +1,10 @@
 #include <plastron/zones/sub_cells.hpp>
 
+#include <plastron/algebra/gathered.hpp>
 #include <plastron/constraints/map.hpp>
 #include <plastron/topology/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace plastron::zones {
 
@@ -73,7 +73,7 @@ struct SameNames {
 
 /// Unites pairs of names (collective).
 SameNames same_names(std::span<const double> pairs, MPI_Comm comm) {
-  const std::vector<double> all = algebra::gather_over_ranks(pairs, comm);
+  const std::vector<double> all = algebra::gathered(pairs, comm);
   std::vector<double> names = all;
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
