@@ -44,7 +44,7 @@ const std::string square =
     "[geometry]\ndomain = { rectangle = { from = [0, 0], to = [1, 1] } }\nchart = [\"x\", \"y\", \"0.3\"]\n";
 const std::string good = shell + square +
                          "[[support]]\nboundary = \"left\"\nfix = [\"u\", \"r\"]\n[[load]]\nforce = [0, 0, -1e-4]\n"
-                         "[discretisation]\ndegree = 2\nrefinements = 0\n";
+                         "[mesh]\ndegree = 2\nrefinements = 0\n";
 
 config::Case parsed(const std::string& text) { return config::parse_case(text, "case.toml"); }
 config::Case read(const std::string& text) {
@@ -82,7 +82,7 @@ TEST(Refusing, LeavesTheProgramsOwnErrors) {
   thrown<std::bad_alloc>([] { refusing([] { throw std::bad_alloc(); }); });
 }
 
-// Each line of a good case is left out, doubled or damaged in turn. What the parser refuses, the workflow refuses in the same words; what
+// Each line of a good case is left out, doubled, damaged or followed by a comment in turn. What the parser refuses, the workflow refuses in the same words; what
 // the parser takes, the workflow takes.
 TEST(ReadTogether, RefusesWhatTheParserRefuses) {
   std::vector<std::string> lines;
@@ -90,7 +90,8 @@ TEST(ReadTogether, RefusesWhatTheParserRefuses) {
   for (std::istringstream text(good); std::getline(text, line);) lines.push_back(line + "\n");
   int refused = 0, taken = 0;
   for (std::size_t at = 0; at < lines.size(); ++at)
-    for (const std::string& other : {std::string(), lines[at] + lines[at], "x" + lines[at], lines[at] + "?\n"}) {
+    for (const std::string& other :
+         {std::string(), lines[at] + lines[at], "x" + lines[at], lines[at] + "?\n", lines[at] + "# why\n"}) {
       std::string text;
       for (std::size_t i = 0; i < lines.size(); ++i) text += i == at ? other : lines[i];
       try {
@@ -104,7 +105,7 @@ TEST(ReadTogether, RefusesWhatTheParserRefuses) {
       EXPECT_EQ(read(text).text, text);
     }
   EXPECT_GT(refused, 30);
-  EXPECT_GT(taken, 3);
+  EXPECT_GE(taken, static_cast<int>(lines.size()));  // a comment more changes nothing
 }
 
 TEST(ReadTogether, LeavesOtherErrorsAndDoesWhatTheMeshIsNeededFor) {
