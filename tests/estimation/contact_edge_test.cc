@@ -9,8 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <numeric>
 #include <ostream>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -228,6 +231,100 @@ TEST_P(APressedObstacle, HasRelativeErrorsThatDoNotDependOnASmallForce) {
     const std::vector<double> small = relative(shape, chart, 1e-10), smaller = relative(shape, chart, 1e-12);
     EXPECT_NEAR(smaller[0], small[0], 1e-3 * small[0]);
     EXPECT_LT(smaller[0], 1);
+  }
+}
+
+/// Nine cells of a plate clamped at the left, with contact that a test prescribes node by node.
+struct NineCells {
+  using Mark = std::function<bool(const Eigen::Vector2d& x)>;
+
+  NineCells(int degree, const Mark& touches, double bed = 0)
+      : plate(plastron::test::meshed(domain::Rectangle{.to = {1.2, 0.9}, .cells = {3, 3}}, plastron::test::flat, degree,
+                                     0),
+              {.sections = plastron::test::steel_of(geometry::Expression(thickness)),
+               .supports = {plastron::test::clamp("left")},
+               .obstacles = {.all = {{.face = obstacle::Face::lower, .bed = bed}}}}),
+        nodal(plate.nodal()) {
+    for (std::size_t i = 0; i < plate.discrete().points.size(); ++i)
+      nodal.touching.local()[i] = nodal.pressure.local()[i] = touches(plate.discrete().points[i].x) ? 1 : 0;
+  }
+  Solved solved() const {
+    return {.discrete = plate.discrete(), .nodal = nodal, .box = plate.box(), .z = plate.solution()};
+  }
+
+  SolvedShell plate;
+  solution::NodalSolution nodal;
+};
+
+// The cells in which some nodes touch and some do not, for drawn sets of nodes. On a bed pressures do not jump.
+TEST(AnEdge, CrossesTheCellsWithTouchingAndFreeNodes) {
+  std::mt19937 random(1);
+  for (const int degree : {1, 2, 3})
+    for (int draw = 0; draw < 20; ++draw) {
+      std::bernoulli_distribution is_marked(0.1 + 0.8 * draw / 19);
+      const auto touches = [&](const Eigen::Vector2d& x) {
+        return (x - Eigen::Vector2d(0.6, 0.45)).cwiseAbs().maxCoeff() < 0.25 ||
+               is_marked(random);  // a node inside: no line
+      };
+      const NineCells scene(degree, touches);
+      const Solved solved = scene.solved();
+      const ContactEdge edge(solved);
+      const fem::Space& space = scene.plate.discrete().space();
+      std::vector<std::size_t> crossed, touching;
+      for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+        const auto count = std::ranges::count_if(space.nodes(cell), [&](auto node) {
+          return scene.nodal.touching.local()[static_cast<std::size_t>(node)] > 0;
+        });
+        if (count == 0 || count == space.nodes_per_cell()) continue;
+        crossed.push_back(cell);
+        touching.push_back(static_cast<std::size_t>(count));
+      }
+      EXPECT_EQ(edge.crossed(), crossed);
+      EXPECT_EQ(edge.touching_nodes(), touching);
+      EXPECT_FALSE(edge.has_kinks());
+    }
+  const NineCells on_bed(
+      2, [](const Eigen::Vector2d& x) { return x[0] > 0.5; }, 1e-3);
+  EXPECT_TRUE(ContactEdge(on_bed.solved()).crossed().empty());
+}
+
+// A shell that stands on its rim has no edge inside, but the ends of the line on the sides of two cells, perhaps at corners.
+TEST(AnEdge, OfALineOnTheRimIsWhereTheLineEnds) {
+  for (const int degree : {1, 2, 4})
+    for (const auto& [from, to] :
+         {std::pair(-1.0, 2.0), std::pair(-1.0, 0.5), std::pair(0.1, 2.0), std::pair(0.3, 0.9)}) {
+      const NineCells scene(
+          degree, [from = from, to = to](const Eigen::Vector2d& x) { return x[1] < 1e-9 && x[0] > from && x[0] < to; });
+      const Solved solved = scene.solved();
+      const fem::Space& space = scene.plate.discrete().space();
+      std::vector<std::size_t> ends;
+      for (std::size_t cell = 0; cell < space.owned_cells; ++cell) {
+        std::array<std::array<int, 2>, 4> counts{};  // free and touching nodes of the cell on each side of the plate
+        for (const auto node : space.nodes(cell)) {
+          const Eigen::Vector2d& x = scene.plate.discrete().points[static_cast<std::size_t>(node)].x;
+          const std::array distances{x[0], 1.2 - x[0], x[1], 0.9 - x[1]};
+          for (std::size_t k = 0; k < 4; ++k)
+            if (distances[k] < 1e-9) ++counts[k][x[1] < 1e-9 && x[0] > from && x[0] < to ? 1 : 0];
+        }
+        if (std::ranges::any_of(counts, [](const auto& c) { return c[0] > 0 && c[1] > 0; })) ends.push_back(cell);
+      }
+      EXPECT_EQ(ends.size(), 2U);
+      EXPECT_EQ(ContactEdge(solved).crossed(), ends) << degree << ", " << from << " to " << to;
+    }
+}
+
+// All nodes touch but those that the clamp holds: the edge is between it and the next nodes.
+TEST(AnEdge, BesideASupportIsHalfWayToItsFirstNodes) {
+  for (const int degree : {1, 2, 4}) {
+    const NineCells scene(degree, [](const Eigen::Vector2d& x) { return x[0] > 1e-9; });
+    const Solved solved = scene.solved();
+    const ContactEdge edge(solved);
+    ASSERT_EQ(edge.crossed().size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(edge.across()[i], 0);
+      ASSERT_TRUE(edge.at_support()[i].has_value());
+      EXPECT_NEAR(*edge.at_support()[i], mesh::gauss_lobatto(degree + 1).points[1] / 2, 1e-14);
+    }
   }
 }
 

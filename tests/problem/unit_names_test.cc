@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 #include <plastron/problem/unit_names.hpp>
 
-namespace plastron::computation {
+namespace plastron::problem::unit_names_test {
 namespace {
 
-const problem::UnitNames millimetres{"mm", "N"}, inches{"in", "lbf"}, feet{"ft", "kN"};
+const UnitNames millimetres{"mm", "N"}, inches{"in", "lbf"}, feet{"ft", "kN"};
 
 TEST(UnitNames, compose_those_of_length_and_force) {
   EXPECT_EQ(millimetres.label("m^2"), "mm^2");
@@ -43,13 +43,13 @@ TEST(UnitNames, leave_what_is_no_unit) {
 }
 
 TEST(UnitNames, are_replaced_once) {
-  for (const problem::UnitNames& units : {millimetres, inches, feet}) {
+  for (const UnitNames& units : {millimetres, inches, feet}) {
     const std::string once = units.renamed("2 m, 3 N/m, 4 Pa, 5 J, 6 N m, [m], [Pa]");
     EXPECT_EQ(units.renamed(once), once);
   }
 }
 
-TEST(UnitNames, of_SI_change_nothing) { EXPECT_EQ(problem::UnitNames{}.renamed("2 m, 3 Pa, 4 J"), "2 m, 3 Pa, 4 J"); }
+TEST(UnitNames, of_SI_change_nothing) { EXPECT_EQ(UnitNames{}.renamed("2 m, 3 Pa, 4 J"), "2 m, 3 Pa, 4 J"); }
 
 }  // namespace
-}  // namespace plastron::computation
+}  // namespace plastron::problem::unit_names_test
