@@ -305,24 +305,12 @@ Result Run::finish() {
       judge_certificate(result);
       examine_stability(result, solution());
     }
-    warn(load_warnings(problem, result));
-    warn(linear_model_warnings(result));
-    warn(jump_warnings(problem, result));
-    warn(control_warnings(result));
-    warn(stability_warnings(result));
-    warn(geometry_warnings(result));
     add_contact_zones(result);
-    warn(contact_warnings(result, problem.contact));
-    warn(sideways_warnings(result.summary));
-    warn(body_warnings(result.summary));
-    warn(point_support_warnings(result, problem.shell.supports));
     if (result.history.empty()) recover();
     find_stress_peak(result);
-    warn(probe_warnings(result));
+    warn(state_warnings(problem, result));
     find_modes();
-    warn(mode_warnings(result));
-    warn(strain_warnings(result));
-    warn(shear_warnings(result));
+    warn(material_warnings(result));
     if (result.status == contact::Status::infeasible) result.missed_limits = contradiction_text(*solution().discrete);
     if (result.status == contact::Status::no_equilibrium)
       result.missed_limits = softest_motion_text(*solution().discrete, solution().nodal);
