@@ -86,8 +86,8 @@ void Output::add_instant(const computation::HistoryEntry& entry, const computati
   if (!can_be_drawn(solution, files_.comm())) return;
   add_fields(solution, entry.factors.time, fmt::format("-{:04}", ++instants_), true);
   if (!envelopes_.empty()) {
-    const GridPiece piece = case_piece(solution, {.heights = given_.heights, .units = given_.units});
-    for (EnvelopeFields& envelope : envelopes_) envelope.add(entry.step, piece, files_.comm());
+    const io::GridPiece piece = io::case_piece(solution, {.heights = given_.heights, .units = given_.units});
+    for (io::EnvelopeFields& envelope : envelopes_) envelope.add(entry.step, piece, files_.comm());
   }
   if (with_report_) frames_.add(entry, solution);
 }
