@@ -247,6 +247,12 @@ void print_layers(const computation::Result& result) {
 }
 
 /// Prints the numbers of the linear model whose error is largest, and the distance from buckling.
+/// Returns a part as per cent, as long as this is meaningful.
+std::string percent(double part) {
+  if (!(part < 10)) return "more than 1000 %";
+  return part < 0.1 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+}
+
 void print_linearity(const computation::Result& result) {
   if (result.model) {
     const std::string word = computation::word_of(*result.model);
@@ -254,14 +260,14 @@ void print_linearity(const computation::Result& result) {
     if (word == "unknown")
       print("the comparison with finite rotations failed\n");
     else if (word == "solved")
-      print("with finite rotations numbers change by {}\n", computation::percent(result.model->largest()));
+      print("with finite rotations numbers change by {}\n", percent(result.model->largest()));
     else
       print("with finite rotations the shell {}\n",
             word == "unstable" ? "is not stable near this solution" : "has no equilibrium near this solution");
     for (const computation::ModelQuantity& q : result.model->quantities)
       if (q.linear != 0 || q.finite != 0)
         print("                  {} {:.4g} {}, linear {:.4g} ({})\n", q.name, q.finite, q.unit, q.linear,
-              computation::percent(q.difference()));
+              percent(q.difference()));
   }
   if (const auto& buckling = result.last_level().buckling; buckling.value_or(0) > 0)
     print("                  membrane forces are {:.2g} times the buckling load\n", *buckling);
