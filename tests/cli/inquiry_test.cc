@@ -124,7 +124,7 @@ std::vector<std::string> listed(const std::string& collection) {
   for (std::string line; std::getline(lines, line);)
     if (!line.starts_with("  "))
       is_below = line == collection + ":";
-    else if (is_below)
+    else if (is_below && line[2] != ' ')  // not the rest of a summary
       names.push_back(line.substr(2, line.find(' ', 2) - 2));
   return names;
 }
