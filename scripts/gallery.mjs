@@ -75,7 +75,7 @@ function section(entry) {
 
 ${question(read('cases', entry.case, 'README.md'))}
 
-Answer: ${answers(entry, json)}. ${linearity(entry, json)} [Case](../cases/${entry.case}/README.md)
+Answer: ${answers(entry, json)}. ${linearity(entry, json)} Case [${entry.case}](../cases/${entry.case}/README.md)
 `;
 }
 
@@ -85,7 +85,9 @@ const top = `# Gallery
 Answers are those of the linear model, unless the case says \`rotations = "finite"\`. "Finite rotations" is the largest difference of energy, reactions and displacement from the
 [model of finite rotations](methods/finite-rotations.md). From 5 % on the run warns, and the answer of that model stands beside.
 Red lines bound contact zones, grey surfaces are obstacles. Small displacements are enlarged.
-\`scripts/make-gallery\` makes this page.
+
+\`plastron new mine --from NAME\` copies a case with its meshes ([new](command-line.md#new)). \`scripts/build-site\` makes a site with the interactive report of each case. The [tutorial](python.md) is
+a notebook with its results. \`scripts/make-gallery\` makes this page.
 `;
 
 /** The picture that the page saves, as WebP: a fifth of the PNG. */

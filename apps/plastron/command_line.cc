@@ -227,13 +227,16 @@ QuestionCommands add_question_commands(CLI::App& program, Questions& questions) 
   CLI::App* explain = program.add_subcommand(
       "explain", "Explain a key of the case file, a field, a number, a status or a limit of the program");
   explain->add_option("WORD", questions.word, "shell.thickness, obstacle.ball, eta, contact.area, not_held, ...");
-  CLI::App* make_new =
-      program.add_subcommand("new", "Write a commented case to start from; existing files are not overwritten");
+  CLI::App* make_new = program.add_subcommand("new", "Write a case to start from; existing files are not overwritten");
   CLI::Option* name = make_new->add_option("NAME", questions.name, "Directory for case.toml, or a file NAME.toml");
-  make_new->add_option("-t,--template", questions.template_name, "Name of a template, see --list")
-      ->capture_default_str();
-  make_new->add_flag("-l,--list", questions.is_listing, "List the templates");
-  make_new->callback([name, &questions] {
+  CLI::Option* from = make_new
+                          ->add_option("--from", questions.example,
+                                       "Commented template, or case of the gallery with its meshes, see --list")
+                          ->capture_default_str();
+  CLI::Option* former = make_new->add_option("-t,--template", questions.example)->group("");  // not in the help
+  make_new->add_flag("-l,--list", questions.is_listing, "List templates and cases of the gallery");
+  make_new->callback([name, from, former, &questions] {
+    if (from->count() > 0 && former->count() > 0) throw CLI::ExcludesError("--from", "--template");
     if (!questions.is_listing && name->empty()) throw CLI::RequiredError("NAME");
   });
   CLI::App* schema = program.add_subcommand("schema", "Print the JSON Schema of the case file or of results.json");

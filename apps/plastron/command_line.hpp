@@ -65,13 +65,13 @@ struct SweepOptions {
 
 /// Options of the commands that compute nothing.
 struct Questions {
-  std::string word{};                  ///< explain: the word; empty: all
-  std::string schema = "case";         ///< schema: "case" or "results"
-  std::string shell{};                 ///< completion: the shell
-  std::filesystem::path name{};        ///< new: name of the case
-  std::string template_name = "bowl";  ///< new: the template
-  bool is_listing = false;             ///< new: only list the templates
-  std::filesystem::path results{};     ///< plot: the directory that run wrote to
+  std::string word{};               ///< explain: the word; empty: all
+  std::string schema = "case";      ///< schema: "case" or "results"
+  std::string shell{};              ///< completion: the shell
+  std::filesystem::path name{};     ///< new: name of the case
+  std::string example = "bowl";     ///< new: the template or the case of the gallery
+  bool is_listing = false;          ///< new: only list them
+  std::filesystem::path results{};  ///< plot: the directory that run wrote to
 };
 
 /// Options of parts.
@@ -140,9 +140,10 @@ ExitCode explain(const std::string& word);
 /// Returns the words that explain() knows in full, for completion.
 std::vector<std::string> explained_words();
 
-/// Writes the template as NAME.toml or NAME/case.toml, or lists the templates.
-ExitCode new_case(const std::filesystem::path& name, const std::string& template_name, bool is_listing);
-std::vector<std::string> template_names();
+/// Writes the example as NAME.toml or NAME/case.toml, with the files that it names, or lists the examples.
+ExitCode new_case(const std::filesystem::path& name, const std::string& example, bool is_listing);
+/// Returns the names of the templates, then those of the cases of the gallery.
+std::vector<std::string> example_names();
 
 /// Prints the completion for "bash", "zsh" or "fish".
 ExitCode print_completion(const CLI::App& program, const std::string& shell);

@@ -53,8 +53,8 @@ void describe_values(const CLI::Option& option, Argument& argument) {
     offer({"case", "results"});
   else if (name == "SHELL")
     offer({"bash", "zsh", "fish"});
-  else if (name == "template")
-    offer(template_names());
+  else if (name == "from")
+    offer(example_names());
   else if (name == "set")
     offer(settable_keys(), Accepts::setting);
   else
@@ -78,7 +78,8 @@ std::vector<Command> command_list(const CLI::App& program) {
   for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
     Command command{.name = app->get_name(), .meaning = app->get_description(), .footer = app->get_footer()};
     for (const CLI::Option* option : app->get_options())
-      (option->get_positional() ? command.positionals : command.options).push_back(argument_of(*option));
+      if (!option->get_group().empty())
+        (option->get_positional() ? command.positionals : command.options).push_back(argument_of(*option));
     commands.push_back(std::move(command));
   }
   return commands;

@@ -86,7 +86,7 @@ std::optional<ExitCode> answer_question(const CommandLine& line) {
   if (line.asked.completion->parsed()) return print_completion(line.program, q.shell);
   if (line.asked.plot->parsed()) return plot(q.results);
   if (line.asked.manual->parsed()) return print_manual_page(line.program);
-  if (line.asked.make_new->parsed()) return new_case(q.name, q.template_name, q.is_listing);
+  if (line.asked.make_new->parsed()) return new_case(q.name, q.example, q.is_listing);
   return {};
 }
 

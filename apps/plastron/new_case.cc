@@ -1,4 +1,4 @@
-// plastron new: writes a commented case. It is written completely or not at all, and existing files are not changed.
+// plastron new: writes a template or a case of the gallery, completely or not at all. Existing files are not changed.
 #include "command_line.hpp"
 #include "templates.hpp"
 #include "terminal.hpp"
@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace plastron::app {
 
@@ -17,34 +17,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view case_ending = ".toml";
+constexpr std::string_view case_name = "case.toml";
 
 struct NewFile {
   fs::path path;
   std::string_view text;
 };
 
-/// Returns the first line of the file, which is a comment.
+/// Returns the comment or the title in the first line of a case.
 std::string_view summary(const EmbeddedFile& file) {
   const std::string_view line = file.text.substr(0, file.text.find('\n'));
-  return line.substr(std::min<std::size_t>(2, line.size()));
+  const std::size_t quote = line.find('"') + 1;
+  return line.starts_with("title") ? line.substr(quote, line.rfind('"') - quote)
+                                   : line.substr(std::min<std::size_t>(2, line.size()));
 }
 
-const EmbeddedFile* find_template(const std::string& name) {
-  for (const EmbeddedFile& file : template_files())
-    if (file.name == name + std::string(case_ending)) return &file;
-  return nullptr;
-}
-
-/// Returns a case of that name, or in a directory of that name, with the files that it names.
-std::vector<NewFile> files_of(const EmbeddedFile& chosen, const fs::path& name) {
-  const bool is_file = name.extension() == case_ending;
+/// Returns a case of that name, or in a directory of that name, with the files that it names; nothing if there is no
+/// such example.
+std::vector<NewFile> files_of(const std::string& example, const fs::path& name) {
+  const bool is_file = name.extension() == ".toml";
   const fs::path folder = is_file ? name.parent_path() : name;
-  std::vector<NewFile> files{{is_file ? name : folder / "case.toml", chosen.text}};
-  for (const EmbeddedFile& file : template_files())
-    if (!file.name.ends_with(case_ending) &&
-        chosen.text.find("\"" + std::string(file.name) + "\"") != std::string::npos)
-      files.push_back({folder / file.name, file.text});
+  std::vector<NewFile> files;
+  for (const EmbeddedFile& file : example_files())
+    if (file.example == example)
+      files.push_back({is_file && file.name == case_name ? name : folder / file.name, file.text});
   return files;
 }
 
@@ -82,36 +78,38 @@ class Made {
   std::vector<fs::path> paths_{};
 };
 
-ExitCode refuse_template(const std::string& name) {
-  const auto known = template_names();
+ExitCode refuse_example(const std::string& name) {
+  const auto known = example_names();
   const std::string meant = config::did_you_mean(name, known);
-  print_error("error: there is no template \"{}\"; {}the templates are {}\n", name, meant.empty() ? "" : meant + " ",
-              fmt::join(known, ", "));
+  print_error("error: there is no template or case of the gallery \"{}\"; {}the names are {}\n", name,
+              meant.empty() ? "" : meant + " ", fmt::join(known, ", "));
   return bad_input;
 }
 
-ExitCode list_templates() {
-  for (const std::string& name : template_names())
-    if (is_first_rank()) print_text(stdout, row(name, 10, summary(*find_template(name))));
+ExitCode list_examples() {
+  std::string_view collection;
+  for (const EmbeddedFile& file : example_files()) {
+    if (file.name != case_name) continue;
+    if (std::exchange(collection, file.collection) != file.collection) print("{}:\n", file.collection);
+    if (is_first_rank()) print_text(stdout, row(file.example, 21, summary(file)));
+  }
   return solved;
 }
 
 }  // namespace
 
-std::vector<std::string> template_names() {
+std::vector<std::string> example_names() {
   std::vector<std::string> names;
-  for (const EmbeddedFile& file : template_files())
-    if (file.name.ends_with(case_ending))
-      names.emplace_back(file.name.substr(0, file.name.size() - case_ending.size()));
+  for (const EmbeddedFile& file : example_files())
+    if (file.name == case_name) names.emplace_back(file.example);
   return names;
 }
 
-ExitCode new_case(const fs::path& name, const std::string& template_name, bool is_listing) {
-  if (is_listing) return list_templates();
-  const EmbeddedFile* chosen = find_template(template_name);
-  if (chosen == nullptr) return refuse_template(template_name);
+ExitCode new_case(const fs::path& name, const std::string& example, bool is_listing) {
+  if (is_listing) return list_examples();
+  const std::vector<NewFile> files = files_of(example, name);
+  if (files.empty()) return refuse_example(example);
   if (!is_first_rank()) return solved;  // one process writes
-  const std::vector<NewFile> files = files_of(*chosen, name);
   std::vector<fs::path> paths{name};
   for (const NewFile& file : files) paths.push_back(file.path);
   for (const fs::path& path : paths)

@@ -1,17 +1,20 @@
-// The example cases of `plastron new`: the files of the folder templates, embedded in the program at its configuration
-// (embed_templates.cmake).
+// The example cases of `plastron new`: the folder templates and the cases of the gallery, embedded in the program at its
+// configuration (embed_templates.cmake).
 #pragma once
 #include <span>
 #include <string_view>
 
 namespace plastron::app {
 
+/// A file of an example. The first file of each example is its case.toml.
 struct EmbeddedFile {
-  std::string_view name;  ///< "bowl.toml", "plate-with-hole.msh"
+  std::string_view collection;  ///< "templates" or "gallery"
+  std::string_view example;     ///< "bowl", "tank-in-cradle"
+  std::string_view name;        ///< "case.toml", "tank.msh"
   std::string_view text;
 };
 
-/// Returns case files, and other files that they name.
-std::span<const EmbeddedFile> template_files();
+/// Returns the files of all examples.
+std::span<const EmbeddedFile> example_files();
 
 }  // namespace plastron::app

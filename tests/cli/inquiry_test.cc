@@ -116,23 +116,70 @@ TEST(Explain, OfAnUnknownWordNamesNearOnes) {
 
 // ---- new -------------------------------------------------------------------------------------------------------
 
-std::vector<std::string> templates() {
+/// The names below a heading of `new --list`: "templates" or "gallery".
+std::vector<std::string> listed(const std::string& collection) {
   std::vector<std::string> names;
   std::istringstream lines(answer({"new", "--list"}));
-  for (std::string line; std::getline(lines, line);) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  bool is_below = false;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with("  "))
+      is_below = line == collection + ":";
+    else if (is_below && line[2] != ' ')  // not the rest of a summary
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
   return names;
 }
 
-TEST(New, HasTemplates) { EXPECT_THAT(templates(), ElementsAre("bowl", "dome", "mesh", "plate", "rollers", "tube")); }
+TEST(New, HasTemplatesAndTheCasesOfTheGallery) {
+  EXPECT_THAT(listed("templates"), ElementsAre("bowl", "dome", "mesh", "plate", "rollers", "tube"));
+  std::vector<std::string> cases;
+  for (const auto& folder : fs::directory_iterator(fs::path(PLASTRON_SOURCE_DIR) / "cases"))
+    cases.push_back(folder.path().filename().string());
+  EXPECT_THAT(listed("gallery"), testing::UnorderedElementsAreArray(cases));
+  EXPECT_THAT(answer({"new", "--list"}), AllOf(HasSubstr("\n  bowl                  A spherical bowl"),
+                                               HasSubstr("\n  bumper-on-stone       A bumper against a stone\n")));
+}
 
 TEST(New, WritesADirectoryOrAFile) {
   const Scratch scratch;
   EXPECT_EQ(plastron({"new", "deep/inside"}, scratch.path).exit_code, 0);
-  EXPECT_EQ(plastron({"new", "mine.toml", "--template", "plate"}, scratch.path).exit_code, 0);
+  EXPECT_EQ(plastron({"new", "mine.toml", "--from", "plate"}, scratch.path).exit_code, 0);
   EXPECT_EQ(plastron({"new", "holes", "-t", "mesh"}, scratch.path).exit_code, 0);
   EXPECT_THAT(files_below(scratch.path), testing::UnorderedElementsAre("deep/inside/case.toml", "mine.toml",
                                                                        "holes/case.toml", "holes/plate-with-hole.msh"));
   EXPECT_THAT(text_of(scratch.path / "mine.toml"), HasSubstr("clamped"));
+}
+
+/// All files of all cases, byte for byte; README.md is about the case and stays in the gallery.
+TEST(New, CopiesACaseOfTheGalleryWithItsFiles) {
+  const fs::path cases = fs::path(PLASTRON_SOURCE_DIR) / "cases";
+  for (const std::string& name : listed("gallery")) {
+    const Scratch scratch;
+    EXPECT_EQ(plastron({"new", "mine", "--from", name}, scratch.path).exit_code, 0) << name;
+    std::vector<std::string> originals;
+    for (const auto& file : fs::directory_iterator(cases / name))
+      if (file.path().filename() != "README.md") originals.push_back(file.path().filename().string());
+    std::vector<std::string> expected;
+    for (const std::string& file : originals) {
+      expected.push_back("mine/" + file);
+      EXPECT_EQ(text_of(scratch.path / "mine" / file), text_of(cases / name / file)) << name;
+    }
+    EXPECT_THAT(files_below(scratch.path), testing::UnorderedElementsAreArray(expected)) << name;
+  }
+  const Scratch scratch;
+  EXPECT_EQ(plastron({"new", "mine.toml", "--from", "bumper-on-stone"}, scratch.path).exit_code, 0);
+  const Outcome check = plastron({"check", "mine.toml"}, scratch.path);
+  EXPECT_EQ(check.exit_code, 0) << check.output;
+}
+
+TEST(New, TakesTheFormerNameOfFromButNotBoth) {
+  const Scratch scratch;
+  EXPECT_EQ(plastron({"new", "mine", "--template", "tank-in-cradle"}, scratch.path).exit_code, 0);
+  EXPECT_TRUE(fs::exists(scratch.path / "mine/tank.msh"));
+  const Outcome outcome = plastron({"new", "other", "-t", "bowl", "--from", "tube"}, scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_FALSE(fs::exists(scratch.path / "other"));
+  EXPECT_THAT(answer({"new", "--help"}), AllOf(HasSubstr("--from"), Not(HasSubstr("--template"))));
+  EXPECT_THAT(answer({"man"}), AllOf(HasSubstr("\\-\\-from"), Not(HasSubstr("\\-\\-template"))));
 }
 
 TEST(New, OverwritesNothing) {
@@ -151,19 +198,20 @@ TEST(New, OverwritesNothing) {
   EXPECT_FALSE(fs::exists(scratch.path / "other.toml"));
 }
 
-TEST(New, RefusesAnUnknownTemplateAndNoName) {
+TEST(New, RefusesAnUnknownExampleAndNoName) {
   const Scratch scratch;
-  const Outcome outcome = plastron({"new", "mine", "--template", "bowle"}, scratch.path);
+  const Outcome outcome = plastron({"new", "mine", "--from", "bowle"}, scratch.path);
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("did you mean \"bowl\"?"), HasSubstr("rollers")));
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("did you mean \"bowl\"?"), HasSubstr("rollers"), HasSubstr("wavy-floor")));
   EXPECT_EQ(plastron({"new"}, scratch.path).exit_code, 2);
   EXPECT_THAT(files_below(scratch.path), IsEmpty());
 }
 
 TEST(New, WritesCasesThatRunAsTheyAre) {
-  for (const std::string& name : templates()) {
+  for (const std::string& name : listed("templates")) {
     const Scratch scratch;
-    EXPECT_EQ(plastron({"new", "begun", "--template", name}, scratch.path).exit_code, 0) << name;
+    EXPECT_EQ(plastron({"new", "begun", "--from", name}, scratch.path).exit_code, 0) << name;
     const Outcome check = plastron({"check", "begun/case.toml"}, scratch.path);
     EXPECT_EQ(check.exit_code, 0) << name << check.output;
     EXPECT_THAT(check.output, Not(HasSubstr("warning"))) << name;
@@ -211,7 +259,9 @@ TEST(BashCompletion, OffersCommandsOptionsAndWords) {
   EXPECT_THAT(offered(scratch, "ver"), ElementsAre("verify"));
   EXPECT_THAT(offered(scratch, "run --o"), ElementsAre("--out", "--output"));
   EXPECT_THAT(offered(scratch, "study con"), ElementsAre("continuity", "convergence"));
-  EXPECT_THAT(offered(scratch, "new x --template ro"), ElementsAre("rollers"));
+  EXPECT_THAT(offered(scratch, "new x --from ro"), ElementsAre("rollers"));
+  EXPECT_THAT(offered(scratch, "new x --from tank"), ElementsAre("tank-in-cradle"));
+  EXPECT_THAT(offered(scratch, "new x --t"), IsEmpty());
   EXPECT_THAT(offered(scratch, "explain shell.thick"), ElementsAre("shell.thickness"));
   EXPECT_THAT(offered(scratch, "run --set mesh.ref"), ElementsAre("mesh.refinements="));
 }
