@@ -163,7 +163,9 @@ algebra::Vector placed_motion(const fem::Space& space, const Eigen::Vector3d& d,
   const fem::PlacedBody& body = space.bodies[0];
   for (const fem::BodyNode& member : body.members) {
     double* values = y.at(static_cast<std::size_t>(member.node)).data();
-    const auto arm = [&](int part) { return fem::turned_vector(member.motion.block<3, 3>(part, 3)) * body.length; };
+    const auto arm = [&](int part) -> Eigen::Vector3d {
+      return fem::turned_vector(member.motion.block<3, 3>(part, 3)) * body.length;
+    };
     Eigen::Map<Eigen::Vector3d>{values} = d + R * arm(0) - arm(0);
     Eigen::Map<Eigen::Vector3d>{values + 3} = R * arm(3) - arm(3);
   }
