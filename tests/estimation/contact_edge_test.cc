@@ -238,12 +238,12 @@ TEST_P(APressedObstacle, HasRelativeErrorsThatDoNotDependOnASmallForce) {
 struct NineCells {
   using Mark = std::function<bool(const Eigen::Vector2d& x)>;
 
-  NineCells(int degree, const Mark& touches, double bed = 0)
+  NineCells(int degree, const Mark& touches, obstacle::Bed bed = {})
       : plate(plastron::test::meshed(domain::Rectangle{.to = {1.2, 0.9}, .cells = {3, 3}}, plastron::test::flat, degree,
                                      0),
               {.sections = plastron::test::steel_of(geometry::Expression(thickness)),
                .supports = {plastron::test::clamp("left")},
-               .obstacles = {.all = {{.face = obstacle::Face::lower, .bed = bed}}}}),
+               .obstacles = {.all = {{.face = obstacle::Face::lower, .bed = std::move(bed)}}}}),
         nodal(plate.nodal()) {
     for (std::size_t i = 0; i < plate.discrete().points.size(); ++i)
       nodal.touching.local()[i] = nodal.pressure.local()[i] = touches(plate.discrete().points[i].x) ? 1 : 0;
@@ -284,7 +284,7 @@ TEST(AnEdge, CrossesTheCellsWithTouchingAndFreeNodes) {
       EXPECT_FALSE(edge.has_kinks());
     }
   const NineCells on_bed(
-      2, [](const Eigen::Vector2d& x) { return x[0] > 0.5; }, 1e-3);
+      2, [](const Eigen::Vector2d& x) { return x[0] > 0.5; }, obstacle::Bed(1e-3));
   EXPECT_TRUE(ContactEdge(on_bed.solved()).crossed().empty());
 }
 

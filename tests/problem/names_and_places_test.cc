@@ -238,7 +238,7 @@ TEST(LetBothFacesTouch, LeavesObstaclesThatAreBoundToAFaceOrPressedOrOnABed) {
     obstacle::Obstacle& table = p.shell.obstacles.all[1];
     if (what == 0) table.face = obstacle::Face::upper;
     if (what == 1) table.force = {0, 0, 1};
-    if (what == 2) table.bed = 3;
+    if (what == 2) table.bed = obstacle::Bed(3);
     let_both_faces_touch(p);
     EXPECT_EQ(p.shell.obstacles.all.size(), 2U) << what;
   }
