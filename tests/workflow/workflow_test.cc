@@ -248,7 +248,7 @@ TEST(Results, AreVerifiedAsWrittenAndNotOtherwise) {
   const fs::path case_file = scratch.path / "case.toml", directory = scratch.path / "results";
   write(case_file, good);
   const config::Case c = read_together([&] { return config::read_case(case_file); }, MPI_COMM_WORLD);
-  io::Output files(directory, base_name, MPI_COMM_WORLD, false);
+  workflow::Output files(directory, base_name, MPI_COMM_WORLD, false);
   const std::vector<Finding> findings{{Severity::warning, "first"},
                                       {Severity::note, "a note"},
                                       {Severity::warning, "first"},
