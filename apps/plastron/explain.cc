@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -229,13 +230,8 @@ std::vector<Topic> limit_topics() {
   std::vector<Topic> topics;
   for (const Limit& limit : config::limits()) {
     std::vector<std::string> words;
-    for (const std::string& alias : limit.aliases) {
-      if (alias.starts_with('.')) continue;  // a limit as a section only: as a key "force" is allowed
-      words.push_back(alias);
-      std::string underscored = alias;
-      std::ranges::replace(underscored, '-', '_');
-      if (underscored != alias) words.push_back(std::move(underscored));
-    }
+    std::ranges::copy_if(limit.aliases, std::back_inserter(words),
+                         [](const std::string& alias) { return !alias.starts_with('.'); });  // a section only
     topics.push_back({limit.name, "limit of the program", std::move(words), [&limit] { return text_of(limit); }});
   }
   return topics;
@@ -264,6 +260,14 @@ std::string plain_word(const std::string& word) {
     if (!in_index && c != ']') result += c;
   }
   return result;
+}
+
+/// Returns "elastic-foundation" for "Elastic foundation" and "elastic_foundation", as limits are named.
+std::string hyphenated(std::string word) {
+  std::ranges::transform(word, word.begin(), [](unsigned char c) {
+    return c == ' ' || c == '_' ? '-' : static_cast<char>(std::tolower(c));
+  });
+  return word;
 }
 
 std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
@@ -306,16 +310,18 @@ ExitCode explain(const std::string& given) {
                              "\nplastron explain WORD explains each of them.\n");
     return solved;
   }
-  const std::string word = plain_word(given);
   const std::vector<Topic> topics = all_topics();
   bool is_first = true;
-  for (const bool in_full : {true, false})
-    for (const Topic& topic : topics)
-      if (in_full ? topic.is_called(word) : !topic.is_called(word) && topic.ends_with(word)) {
-        print_topic(topic, is_first);
-        is_first = false;
-      }
-  return is_first ? refuse(given, topics) : solved;
+  for (const std::string& word : {plain_word(given), hyphenated(plain_word(given))}) {
+    for (const bool in_full : {true, false})
+      for (const Topic& topic : topics)
+        if (in_full ? topic.is_called(word) : !topic.is_called(word) && topic.ends_with(word)) {
+          print_topic(topic, is_first);
+          is_first = false;
+        }
+    if (!is_first) return solved;
+  }
+  return refuse(given, topics);
 }
 
 }  // namespace plastron::app

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 #include <vector>
 
 namespace plastron::config {
@@ -48,7 +49,9 @@ std::vector<std::string> nearest_few(const std::string& word, std::span<const st
         is_abbreviation(candidate, word))
       near.emplace_back(distance, candidate);
   }
-  std::ranges::stable_sort(near, {}, [](const auto& entry) { return entry.first; });
+  // Of two that are equally near, a word with a letter more is likelier: "ux" means "u.x" and not "u".
+  std::ranges::stable_sort(
+      near, {}, [&](const auto& entry) { return std::pair(entry.first, entry.second.size() < word.size()); });
   std::vector<std::string> few;
   for (std::size_t i = 0; i < std::min(most, near.size()); ++i) few.push_back(near[i].second);
   return few;
