@@ -31,16 +31,6 @@ Outcome solve(const LinearReference& reference) {
   return outcome;
 }
 
-/// Compares the outcome with its row in docs/verification.md.
-Outcome solve_and_hold(const LinearReference& reference, ShearCorrection k) {
-  const Outcome outcome = solve(reference);
-  const std::string row = fmt::format("{}, k_s = {}", reference.name, k == ShearCorrection::one ? "1" : "5/6");
-  expect_figure("linear shells", row, "degree", reference.problem.discretisation.degree);
-  expect_figure("linear shells", row, "unknowns", outcome.unknowns);
-  expect_figure("linear shells", row, "displacement", outcome.displacement);
-  return outcome;
-}
-
 LinearReference saddle(double thickness, int refinements) {
   return hyperbolic_paraboloid(thickness, ShearCorrection::one, false, 2, refinements);
 }
@@ -117,7 +107,7 @@ TEST(LinearReferences, TheSaddleConvergesAsItsCornersAllow) {
 TEST(LinearReferences, TheFreeHyperboloid) {
   for (const double thickness : {0.1, 0.01})
     for (const auto k : {ShearCorrection::one, ShearCorrection::five_sixths}) {
-      const Outcome outcome = solve_and_hold(free_hyperboloid(thickness, k, 6, 3), k);
+      const Outcome outcome = solve(free_hyperboloid(thickness, k, 6, 3));
       EXPECT_LE(outcome.unknowns, 60'000);
       EXPECT_LT(std::abs(outcome.displacement), 1e-4);
     }
@@ -125,7 +115,7 @@ TEST(LinearReferences, TheFreeHyperboloid) {
 
 TEST(LinearReferences, TheScordelisLoRoof) {
   for (const auto k : {ShearCorrection::one, ShearCorrection::five_sixths}) {
-    const Outcome hard = solve_and_hold(scordelis_lo(k, true, 5, 3), k);
+    const Outcome hard = solve(scordelis_lo(k, true, 5, 3));
     EXPECT_LE(hard.unknowns, 60'000);
     EXPECT_LT(std::abs(hard.displacement), 1e-4);
   }
@@ -134,7 +124,7 @@ TEST(LinearReferences, TheScordelisLoRoof) {
 TEST(LinearReferences, TheClampedPlate) {
   for (const double thickness : {0.1, 0.01})
     for (const auto k : {ShearCorrection::one, ShearCorrection::five_sixths})
-      EXPECT_LT(std::abs(solve_and_hold(clamped_plate(thickness, k, 4, 3), k).displacement), 1e-4);
+      EXPECT_LT(std::abs(solve(clamped_plate(thickness, k, 4, 3)).displacement), 1e-4);
 }
 
 TEST(RoundOff, ResidualsThroughStrainsKeepTheEnergyIdentityAtDegreeEightAndThicknessOneTenThousandth) {
