@@ -106,11 +106,13 @@ void read_place(Table& table, const problem::Problem& problem, Foundation& found
 
 /// Reads the body of a spring, on which stiffnesses are numbers.
 void read_body(Table& table, const problem::Problem& problem, Foundation& spring) {
-  spring.body = table.text("body").value_or("");
+  const auto body = table.text("body");
+  if (!body) return;
+  spring.body = *body;
   std::vector<std::string> names;
   for (const fem::RigidBody& body : problem.rigid_bodies) names.push_back(body.name);
   if (std::ranges::find(names, spring.body) == names.end())
-    table.report("body", fmt::format("there is no rigid body {}", geometry::shortened(spring.body)), joined(names),
+    table.report("body", fmt::format("there is no rigid body \"{}\"", geometry::shortened(spring.body)), joined(names),
                  names.empty() ? "add a [[rigid_body]]" : did_you_mean(spring.body, names));
   for (const auto& [name, values] :
        {std::pair("stiffness", &spring.stiffness), std::pair("rotation", &spring.rotation)})
