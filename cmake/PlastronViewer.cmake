@@ -6,7 +6,7 @@ enable_language(ASM)
 # Packages are taken as the lock file says, by their hashes, and run nothing when they are installed.
 set(plastron_npm_options --no-audit --no-fund --no-progress --prefer-offline --ignore-scripts --loglevel=error)
 # Behind a proxy whose certificate it does not know npm tries for many minutes; twenty seconds are usual.
-set(plastron_npm_in_time [[timeout 180 "$@" || (echo "npm did not fetch vtk.js and esbuild (time limit: 3 minutes). Behind a proxy with its own certificate set NODE_EXTRA_CA_CERTS=FILE.pem. Or build without the 3D view of report.html: cmake --preset release -DPLASTRON_VIEWER=OFF" >&2 && exit 1)]])
+set(plastron_npm_in_time [[timeout --signal=KILL 180 "$@" || (echo "npm did not fetch vtk.js and esbuild (time limit: 3 minutes). Behind a proxy with its own certificate set NODE_EXTRA_CA_CERTS=FILE.pem. Or build without the 3D view of report.html: cmake --preset release -DPLASTRON_VIEWER=OFF" >&2 && exit 1)]])
 
 function(plastron_bundle_viewer script)
   find_program(PLASTRON_NPM npm)
