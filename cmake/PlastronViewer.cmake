@@ -4,7 +4,9 @@
 option(PLASTRON_VIEWER "The three-dimensional view of report.html; needs npm to build" ON)
 enable_language(ASM)
 # Packages are taken as the lock file says, by their hashes, and run nothing when they are installed.
-set(plastron_npm_options --no-audit --no-fund --no-progress --prefer-offline --ignore-scripts --silent)
+set(plastron_npm_options --no-audit --no-fund --no-progress --prefer-offline --ignore-scripts --loglevel=error)
+# Behind a proxy whose certificate it does not know npm tries for many minutes; twenty seconds are usual.
+set(plastron_npm_in_time [[timeout --signal=KILL 180 "$@" || (echo "npm did not fetch vtk.js and esbuild (time limit: 3 minutes). Behind a proxy with its own certificate set NODE_EXTRA_CA_CERTS=FILE.pem. Or build without the 3D view of report.html: cmake --preset release -DPLASTRON_VIEWER=OFF" >&2 && exit 1)]])
 
 function(plastron_bundle_viewer script)
   find_program(PLASTRON_NPM npm)
@@ -20,7 +22,7 @@ function(plastron_bundle_viewer script)
   file(MAKE_DIRECTORY ${build})
   add_custom_command(OUTPUT ${installed}
                      COMMAND ${CMAKE_COMMAND} -E copy ${viewer}/package.json ${viewer}/package-lock.json ${build}
-                     COMMAND ${PLASTRON_NPM} ci ${plastron_npm_options} --omit=peer --fetch-retries=5
+                     COMMAND sh -c "${plastron_npm_in_time}" npm ${PLASTRON_NPM} ci ${plastron_npm_options} --omit=peer --fetch-retries=3 --fetch-retry-maxtimeout=10000 --fetch-timeout=30000
                      COMMAND ${CMAKE_COMMAND} -E touch ${installed}
                      DEPENDS ${viewer}/package.json ${viewer}/package-lock.json
                      WORKING_DIRECTORY ${build} COMMENT "Installing vtk.js and esbuild for report.html (npm ci)" VERBATIM)

@@ -9,6 +9,8 @@
 
 namespace plastron::io {
 
+const std::string_view version = PLASTRON_VERSION;
+
 namespace {
 
 using Files = std::vector<std::pair<std::string, std::filesystem::path>>;

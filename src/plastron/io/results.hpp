@@ -17,8 +17,8 @@
 
 namespace plastron::io {
 
-/// The version of Plastron in results; a test compares it with the version of the build.
-inline constexpr std::string_view version = "0.1.0";
+/// The version of Plastron: that of the project in CMakeLists.txt.
+extern const std::string_view version;
 
 /// Missing or wrong parts of results from outside, in words for the user.
 struct UnusableResults : std::runtime_error {
