@@ -106,9 +106,9 @@ void read_place(Table& table, const problem::Problem& problem, Foundation& found
 
 /// Reads the body of a spring, on which stiffnesses are numbers.
 void read_body(Table& table, const problem::Problem& problem, Foundation& spring) {
-  const auto body = table.text("body");
-  if (!body) return;
-  spring.body = *body;
+  const auto given = table.text("body");
+  if (!given) return;
+  spring.body = *given;
   std::vector<std::string> names;
   for (const fem::RigidBody& body : problem.rigid_bodies) names.push_back(body.name);
   if (std::ranges::find(names, spring.body) == names.end())
