@@ -294,6 +294,17 @@ TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
   EXPECT_EQ(Json::parse(block(page, "plastron-results")), Json::parse(text_of(scratch.path / "results.json")));
 }
 
+TEST(Report, tells_clamped_edges_from_those_on_which_the_shell_may_turn) {
+  problem::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem.shell.supports.front().components.resize(3);  // u without r, on the left
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  const Json scene = scene_json(*result.solution, result.summary);
+  if (world_rank() != 0) return;
+  EXPECT_EQ(scene["supports"].size(), 16U);
+  for (const Json& side : scene["supports"])
+    EXPECT_EQ(side["clamped"].get<bool>(), side["boundary"] != Json("left")) << side["boundary"];
+}
+
 TEST(Report, names_a_load_of_zero) {
   const Json load{{"name", "wind"}, {"force", {0.0, 0.0, 0.0}}, {"pressure", 0.0}, {"couple", {0.0, 0.0, 0.0}}};
   const Json settings{{"load", Json::array({load})}};

@@ -1,5 +1,5 @@
 // The picture of report.html: the deformed shell, its undeformed mesh, obstacles, supports and contact boundaries.
-import { directors, linesOnSurface, moved, nearest, normalsOf, placed } from './shapes.js';
+import { dashes, directors, linesOnSurface, moved, nearest, normalsOf, placed } from './shapes.js';
 import { layer, normalsArray, View } from './view.js';
 
 /** The vectors of some points, next to each other. */
@@ -68,8 +68,12 @@ export class DeformedView extends View {
     this.render();
   }
 
+  /** Supports on which the shell may turn are dashed. */
   drawLines(target, lines) {
-    const polylines = lines.map((l) => moved(l.points, this.scale, l.displacements, new Float32Array(l.points.length)));
+    const polylines = lines.flatMap((l) => {
+      const line = moved(l.points, this.scale, l.displacements, new Float32Array(l.points.length));
+      return l.clamped === false ? dashes(line, 0.02 * this.size) : [line];
+    });
     this.drawTubes(target, polylines, 0.0022 * this.size);
   }
 }

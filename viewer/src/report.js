@@ -92,7 +92,8 @@ export function startReport(place, scene) {
   const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
   if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);
   if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true, '--contact']);
-  if (scene.supports.length > 0) layers.push(['supports', 'supports', true, '--support']);
+  const isDashed = scene.supports.some((line) => line.clamped === false);
+  if (scene.supports.length > 0) layers.push([isDashed ? 'supports (dashed: the shell may turn)' : 'supports', 'supports', true, '--support']);
   for (const [label, name, isVisible, sample] of layers) {
     stage.actions.append(checkbox(label, isVisible, (is) => view.show(name, is), sample));
     view.show(name, isVisible);

@@ -97,7 +97,7 @@ std::vector<Section> load_sections() {
 
 void read_loads(Table& root, problem::Problem& problem) {
   root.in_tables("load", [&](Table& load) {
-    if (!load.has("force") && !load.has("pressure") && !load.has("couple"))
+    if (!load.has("force") && !load.has("pressure") && !load.has("couple") && load.other_entries().empty())
       load.report_here("[[load]] has neither force nor pressure nor couple", "", "add for example force = [0, 0, -1]");
     if (load.has("boundary"))
       read_edge_load(load, problem);

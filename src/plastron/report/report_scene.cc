@@ -259,8 +259,20 @@ Json lines_json(const solution::Summary& summary) {
   return list;
 }
 
-/// Returns sides of cells on boundaries with supports: a polyline of nodes for each, with the name of the boundary
-/// (collective).
+/// Whether a support of the boundary prevents the shell from turning about it.
+bool is_clamped(const assembly::DiscreteShell& discrete, const std::string& boundary) {
+  using assembly::Direction;
+  const auto prevents = [](const assembly::PrescribedComponent& c) {
+    return c.unknown == assembly::Unknown::rotation && c.direction != Direction::tangent &&
+           c.direction != Direction::normal;
+  };
+  return std::ranges::any_of(discrete.supports, [&](const assembly::Support& support) {
+    return support.boundary == boundary && std::ranges::any_of(support.components, prevents);
+  });
+}
+
+/// Returns sides of cells on boundaries with supports: a polyline of nodes for each, with the name of the boundary and
+/// whether it is clamped (collective).
 Json supports_json(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
   const fem::Space& space = discrete.space();
   const auto& names = space.coarse->boundaries;
@@ -294,7 +306,9 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
         points.push_back(static_cast<float>(side[1 + 6 * k + d]));
         displacements.push_back(static_cast<float>(side[4 + 6 * k + d]));
       }
-    list.push_back({{"boundary", names[static_cast<std::size_t>(side.front())]},
+    const std::string& boundary = names[static_cast<std::size_t>(side.front())];
+    list.push_back({{"boundary", boundary},
+                    {"clamped", is_clamped(discrete, boundary)},
                     {"points", io::base64_of_numbers(points)},
                     {"displacements", io::base64_of_numbers(displacements)}});
   }
