@@ -110,6 +110,10 @@ TEST(Report, shows_the_surface_that_the_vtu_file_has) {
   EXPECT_NEAR(-*std::ranges::min_element(u), result.summary.max_displacement, 1e-8);
   EXPECT_EQ(scene["obstacles"].size(), 1U);
   EXPECT_EQ(scene["lines"].size(), result.summary.obstacles[0].zones[0].lines.size());
+  // The load acts downwards everywhere: an arrow in each of nine parts by five.
+  const auto directions = decoded_numbers<float>(scene["loads"]["directions"].get<std::string>());
+  ASSERT_EQ(directions.size(), 3U * 45U);
+  for (std::size_t i = 0; i < directions.size(); ++i) EXPECT_NEAR(directions[i], i % 3 == 2 ? -1 : 0, 1e-6);
 }
 
 TEST(Report, holds_the_instants_of_the_steps) {

@@ -103,7 +103,7 @@ const tests = {
     await page.getByLabel('Instant of the steps').fill('1');
   },
   async 'shows and hides its layers'() {
-    for (const label of ['mesh', 'undeformed', 'obstacles', 'contact boundary']) {
+    for (const label of ['mesh', 'undeformed', 'obstacles', 'contact boundary', 'loads']) {
       const changed = await changeBy(() => page.getByLabel(label, { exact: true }).click());
       assert.ok(changed > 300, `${label}: ${changed} pixels`);
     }
