@@ -203,11 +203,11 @@ void print_estimates(const computation::Result& result) {
           100 * (1 - geometry->judged_share));
 }
 
-/// Returns the value with the digits that the estimated error permits, at least two.
+/// Returns the value with the digits that the estimated error permits, at least three.
 std::string with_known_digits(double value, double error) {
   const double part = value != 0 ? std::abs(error / value) : 1;
   const int digits = std::isfinite(part) && part > 0 ? static_cast<int>(std::ceil(-std::log10(part))) : 4;
-  return fmt::format("{:.{}g}", value, std::clamp(digits, 2, 6));
+  return fmt::format("{:.{}g}", value, std::clamp(digits, 3, 6));
 }
 
 void print_stress(const computation::Result& result) {

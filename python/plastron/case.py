@@ -9,6 +9,7 @@ import re
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Union
 
 from . import _case, toml_edit, toml_text
+from .errors import readable
 
 if TYPE_CHECKING:
     from .result import Result
@@ -223,7 +224,7 @@ class Case:
         return _solver.CaseText(self._given, _from_here(self._directory, self._file_name), self._settings)
 
     def __repr__(self) -> str:
-        settings = "".join(f", {s}" for s in self._settings)
+        settings = readable("".join(f", {s}" for s in self._settings))
         return f"<plastron.Case {self.title or self._file_name!r}{settings}>"
 
 

@@ -8,7 +8,7 @@ from typing import Any, Iterable
 
 def readable(text: str) -> str:
     """Returns a text of the library with the names that functions of Python have for the user."""
-    return re.sub(r'"?\bpython_(\w+?)_[0-9a-f]{32}\b"?', r'the function "\1"', text)
+    return re.sub(r'(the distance expression )?"?\bpython_(\w+?)_[0-9a-f]{32}\b"?', r'the function "\2"', text)
 
 
 class PlastronError(Exception):

@@ -144,7 +144,10 @@ class Function:
 
     def _values(self, f: Callable[..., Any], places: Any, kind: type = float) -> Any:
         def values_at(places: Any) -> Any:
-            return np.asarray(f(*[places[:, k] for k in self.arguments]), dtype=kind)
+            given = f(*[places[:, k] for k in self.arguments])
+            if given is None:
+                raise FunctionError("returns None; does it end without a return?")
+            return np.asarray(given, dtype=kind)
 
         value: Any = values_at(places)
         if value.ndim == 0:

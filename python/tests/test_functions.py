@@ -190,6 +190,20 @@ class TestMistakes:
         with pytest.raises(plastron.CaseError, match="test_functions.py returns one number for"):
             quiet(plastron.solve, case)
 
+    def test_a_distance_without_a_gradient_is_named_as_a_function(self, case):
+        case["obstacle"] = [{"name": "die", "distance": lambda X: 2.6 + 0 * X}]
+        with pytest.raises(plastron.CaseError, match='the function "lambda" is 2.6 and has a zero gradient') as error:
+            quiet(plastron.solve, case)
+        assert "expression the function" not in str(error.value)
+
+    def test_none_is_refused(self, case):
+        with pytest.raises(plastron.CaseError, match="returns None"):
+            quiet(plastron.solve, case.with_settings({"shell.thickness": lambda x: None}))
+
+    def test_a_case_with_a_function_shows_its_name(self, case):
+        shown = repr(case.with_settings({"shell.thickness": thickness}))
+        assert 'the function "thickness"' in shown and "python_" not in shown
+
     def test_values_without_a_meaning_are_refused(self, case):
         with pytest.raises(plastron.CaseError, match="thickness"):
             quiet(plastron.solve, case.with_settings({"shell.thickness": lambda x: 0 * x - 1}))

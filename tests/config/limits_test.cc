@@ -68,6 +68,7 @@ TEST(UnknownWord, OfSpringsFrictionPointLoadsAndCasesNamesTheLimitAndWhatToDo) {
         "[[rigid_body]] stiffness", "[[rigid_body]] spring"},
        "`[[spring]]` at a point"},
       {"temperature", {"thermal", "heat"}, {"[shell] temperature", "[[load]] temperature"}, "`[[temperature]]`"},
+      {"free-bodies", {"free_body", "unsupported"}, {"[shell] free", "[[support]] free_free"}, "for frequencies of a"},
       {"load-cases", {"load_case", "load_cases", "loadcases", "combinations"}, {}, "`[[case]]` and `[[envelope]]`"},
       {"friction",
        {"friction", "coulomb", "friction_coefficient"},

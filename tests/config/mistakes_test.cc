@@ -67,6 +67,11 @@ TEST(MistypedKey, IsOneMistakeAlsoWhereTheKeyIsRequired) {
   }
 }
 
+TEST(UnknownKey, InALoadIsNotAlsoALoadOfNothing) {
+  EXPECT_EQ(only_mistake(with_thickness("0.1") + "[[load]]\ntemperature = 50\n").what,
+            "unknown key \"temperature\" in [[load]]");
+}
+
 TEST(Caret, StandsAtTheWrongCharacterInsideAnyKindOfString) {
   EXPECT_EQ(only_mistake(with_thickness("\"1 + q\"")).column, 18);
   EXPECT_EQ(only_mistake(with_thickness("'1 + q'")).column, 18);

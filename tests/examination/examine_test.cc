@@ -136,6 +136,14 @@ TEST(Examination, finds_a_plate_that_is_thicker_than_a_shell_may_be) {
   EXPECT_THAT(warnings(p), IsEmpty());
 }
 
+TEST(Examination, notes_a_plate_so_thin_that_its_units_may_be_mixed) {
+  problem::Problem p = with_chart(cantilever_plate(), {"300*x", "300*y", "0"});
+  p.shell.sections.common.thickness = Expression(0.02);
+  EXPECT_THAT(texts(p, Severity::note), testing::Contains(AllOf(HasSubstr("same unit"), HasSubstr("2.1e+04 times"))));
+  p.shell.sections.common.thickness = Expression(2.0);
+  EXPECT_THAT(texts(p, Severity::note), testing::Not(testing::Contains(HasSubstr("same unit"))));
+}
+
 TEST(Examination, finds_where_a_chart_is_not_finite) {
   EXPECT_THAT(errors(with_chart(cantilever_plate(), {"x", "y", "sqrt(0.5 - x)"})),
               ElementsAre(HasSubstr("not finite at x = 0.5")));
@@ -234,7 +242,8 @@ TEST(Examination, finds_boundaries_that_are_not_there) {
 TEST(Examination, finds_probes_outside_of_the_domain) {
   problem::Problem p = cantilever_plate();
   p.probes = {{.name = "in", .at = {1, 0}}, {.name = "out", .at = {1.2, 0}}};
-  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("\"out\""), HasSubstr("(1.2, 0)"), HasSubstr("outside"))));
+  EXPECT_THAT(errors(p), ElementsAre(AllOf(HasSubstr("\"out\""), HasSubstr("(1.2, 0)"), HasSubstr("outside"),
+                                           HasSubstr("x from 0 to 1"))));
 }
 
 TEST(Examination, finds_a_mesh_file_that_is_not_there) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/io/plot.hpp>
+#include <plastron/io/result_plots.hpp>
 
 #include <cmath>
 #include <set>
@@ -48,6 +49,19 @@ TEST(PlotAxis, labels_small_decades_as_powers_and_short_ranges_densely) {
   EXPECT_THAT(labels(PlotAxis({1e-7, 1e-4}, true, 0, 1)), testing::Contains("10⁻⁶"));
   EXPECT_GE(labels(PlotAxis({0.1, 0.4}, true, 0, 1)).size(), 2u);
   EXPECT_LE(labels(PlotAxis({1e-30, 1}, true, 0, 1)).size(), 12u);
+  // 7000 would touch 6000, and 9000 the next decade.
+  EXPECT_THAT(labels(PlotAxis({6000, 9000}, true, 0, 1)), testing::ElementsAre("5000", "6000", "8000", "10⁴"));
+}
+
+TEST(ResultPlots, have_no_force_of_supports_that_is_rounding) {
+  const auto plots_of = [](double force) {
+    Json results{{"levels", Json::array()}, {"contact", nullptr}, {"history", Json::array()}};
+    results["history"].push_back(
+        {{"time", 1.0}, {"energy", 70.0}, {"max_displacement", 0.5}, {"support_force", {0.0, 0.0, force}}});
+    return result_plots(results).size();
+  };
+  EXPECT_EQ(plots_of(1e-12), 0u);
+  EXPECT_EQ(plots_of(100), 1u);
 }
 
 TEST(PlotAxis, holds_all_values_and_survives_none_or_one) {

@@ -6,6 +6,7 @@
 #include <plastron/report/report_scene.hpp>
 #include <plastron/workflow/output.hpp>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <io/pressed_plate.hpp>
@@ -78,6 +79,10 @@ TEST(Report, holds_the_numbers_of_results_json_and_all_sections) {
   // A number that the page shows carries all its digits and its place.
   const std::string energy = results["energy"].dump();
   EXPECT_THAT(page, HasSubstr("data-path=\"energy\" title=\"" + energy + "\""));
+  // Tiles show four digits: estimated errors are larger than the others.
+  EXPECT_THAT(page, HasSubstr(fmt::format("title=\"{}\">{:.4g}<", energy, results["energy"].get<double>())));
+  for (const char* what : {"N 11 [N/m]", "M 11 [N]", "stress 11 [Pa]", "lower face", "upper face"})
+    EXPECT_THAT(page, HasSubstr(what));
   // The share that the linear model omits stands at the top.
   EXPECT_LT(page.find("data-path=\"linearity/max_strain\""), page.find("<section"));
   EXPECT_THAT(page, HasSubstr("The von Mises stress is largest at ("));
@@ -105,6 +110,10 @@ TEST(Report, shows_the_surface_that_the_vtu_file_has) {
   EXPECT_NEAR(-*std::ranges::min_element(u), result.summary.max_displacement, 1e-8);
   EXPECT_EQ(scene["obstacles"].size(), 1U);
   EXPECT_EQ(scene["lines"].size(), result.summary.obstacles[0].zones[0].lines.size());
+  // The load acts downwards everywhere: an arrow in each of nine parts by five.
+  const auto directions = decoded_numbers<float>(scene["loads"]["directions"].get<std::string>());
+  ASSERT_EQ(directions.size(), 3U * 45U);
+  for (std::size_t i = 0; i < directions.size(); ++i) EXPECT_NEAR(directions[i], i % 3 == 2 ? -1 : 0, 1e-6);
 }
 
 TEST(Report, holds_the_instants_of_the_steps) {
@@ -287,6 +296,24 @@ TEST(Report, of_texts_that_look_like_markup_shows_them_as_text) {
   EXPECT_THAT(page, Not(HasSubstr("\xff")));
   EXPECT_THAT(page, HasSubstr("<h1>&lt;/script&gt;&lt;script&gt;alert(1)"));
   EXPECT_EQ(Json::parse(block(page, "plastron-results")), Json::parse(text_of(scratch.path / "results.json")));
+}
+
+TEST(Report, tells_clamped_edges_from_those_on_which_the_shell_may_turn) {
+  problem::Problem problem = pressed_plate({.degree = 2, .refinements = 1});
+  problem.shell.supports.front().components.resize(3);  // u without r, on the left
+  const computation::Result result = computation::solve(problem, MPI_COMM_WORLD);
+  const Json scene = scene_json(*result.solution, result.summary);
+  if (world_rank() != 0) return;
+  EXPECT_EQ(scene["supports"].size(), 16U);
+  for (const Json& side : scene["supports"])
+    EXPECT_EQ(side["clamped"].get<bool>(), side["boundary"] != Json("left")) << side["boundary"];
+}
+
+TEST(Report, names_a_load_of_zero) {
+  const Json load{{"name", "wind"}, {"force", {0.0, 0.0, 0.0}}, {"pressure", 0.0}, {"couple", {0.0, 0.0, 0.0}}};
+  const Json settings{{"load", Json::array({load})}};
+  const std::string page = report_html(results_json({}, {.title = "", .settings = settings, .files = {}}), nullptr);
+  EXPECT_THAT(page, HasSubstr("name wind, force 0 on the surface"));
 }
 
 TEST(Report, of_steps_has_their_history) {

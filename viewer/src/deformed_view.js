@@ -1,5 +1,5 @@
 // The picture of report.html: the deformed shell, its undeformed mesh, obstacles, supports and contact boundaries.
-import { directors, linesOnSurface, moved, nearest, normalsOf, placed } from './shapes.js';
+import { arrows, dashes, directors, linesOnSurface, moved, nearest, normalsOf, placed } from './shapes.js';
 import { layer, normalsArray, View } from './view.js';
 
 /** The vectors of some points, next to each other. */
@@ -29,15 +29,17 @@ export class DeformedView extends View {
     this.edges = layer(renderer, this.points, { lines: cells.lines }, { ...flat, color: [1, 1, 1], opacity: 0.3 });
     this.contact = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
     this.supports = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ...flat });
+    this.loads = layer(renderer, new Float32Array(0), { polys: new Uint32Array(0) }, { ambient: 0.6, diffuse: 0.4 });
     this.addMark();
   }
 
-  /** Colours of the page: {background, line, obstacle, contact, support}, each [r, g, b] from 0 to 1. */
+  /** Colours of the page: {background, line, obstacle, contact, support, load}, each [r, g, b] from 0 to 1. */
   setTheme(theme) {
     this.obstacles.forEach((o) => o.actor.getProperty().setColor(...theme.obstacle));
     this.ghost.actor.getProperty().setColor(...theme.line);
     this.contact.actor.getProperty().setColor(...theme.contact);
     this.supports.actor.getProperty().setColor(...theme.support);
+    this.loads.actor.getProperty().setColor(...theme.load);
     super.setTheme(theme);
   }
 
@@ -64,12 +66,29 @@ export class DeformedView extends View {
     const isLast = frame === scene.frames.at(-1);
     this.drawLines(this.contact, isLast ? this.lines : []);
     this.drawLines(this.supports, isLast ? scene.supports : scene.supports.map((line, k) => ({ ...line, displacements: valuesAt(frame.u, this.nearest[k]) })));
+    this.drawLoads(isLast);
     if (this.marked !== undefined) this.placeMark();
     this.render();
   }
 
+  /** Arrows that end on the shell. They are those of the last instant. */
+  drawLoads(isLast) {
+    const { places, displacements, directions } = this.scene.loads;
+    const length = 0.07 * this.size;
+    const ends = moved(places, this.scale, displacements, new Float32Array(places.length));
+    const all = isLast ? Array.from({ length: places.length / 3 }, (_, k) => 3 * k) : [];
+    const along = all.map((k) => [...directions.subarray(k, k + 3)]);
+    const { points, polys } = arrows(all.map((k, i) => along[i].map((n, d) => ends[k + d] - length * n)), along, length);
+    this.loads.data.getPolys().setData(polys);
+    this.loads.move(points);
+  }
+
+  /** Supports on which the shell may turn are dashed. */
   drawLines(target, lines) {
-    const polylines = lines.map((l) => moved(l.points, this.scale, l.displacements, new Float32Array(l.points.length)));
+    const polylines = lines.flatMap((l) => {
+      const line = moved(l.points, this.scale, l.displacements, new Float32Array(l.points.length));
+      return l.clamped === false ? dashes(line, 0.02 * this.size) : [line];
+    });
     this.drawTubes(target, polylines, 0.0022 * this.size);
   }
 }

@@ -9,7 +9,7 @@ import { ScaleBar } from './scale_bar.js';
 import { Stage } from './stage.js';
 import { stepSlider } from './steps.js';
 
-const variables = { background: '--stage', line: '--line3d', obstacle: '--obstacle', contact: '--contact', support: '--support' };
+const variables = { background: '--stage', line: '--line3d', obstacle: '--obstacle', contact: '--contact', support: '--support', load: '--arrows' };
 
 function drawnNote(scene) {
   const parts = [];
@@ -92,7 +92,9 @@ export function startReport(place, scene) {
   const layers = [['mesh', 'edges', true], ['undeformed', 'ghost', false]];
   if (scene.obstacles.length > 0) layers.push(['obstacles', 'obstacles', true, '--obstacle']);
   if (scene.lines.length > 0) layers.push(['contact boundary', 'contact', true, '--contact']);
-  if (scene.supports.length > 0) layers.push(['supports', 'supports', true, '--support']);
+  const isDashed = scene.supports.some((line) => line.clamped === false);
+  if (scene.supports.length > 0) layers.push([isDashed ? 'supports (dashed: may turn)' : 'supports', 'supports', true, '--support']);
+  if (scene.loads.places.length > 0) layers.push(['loads', 'loads', false, '--arrows']);
   for (const [label, name, isVisible, sample] of layers) {
     stage.actions.append(checkbox(label, isVisible, (is) => view.show(name, is), sample));
     view.show(name, isVisible);

@@ -127,6 +127,25 @@ export function tubes(polylines, radius) {
   return { points, polys: Uint32Array.from(polys) };
 }
 
+/** The dashes of a polyline: one for each period of its length, but at least one. */
+export function dashes(line, period) {
+  const at = [0];
+  for (let i = 3; i < line.length; i += 3) at.push(at.at(-1) + Math.hypot(line[i] - line[i - 3], line[i + 1] - line[i - 2], line[i + 2] - line[i - 1]));
+  const length = at.at(-1);
+  const count = Math.max(1, Math.round(length / period));
+  const place = (s) => {
+    let k = 1;
+    while (k < at.length - 1 && at[k] < s) ++k;
+    const t = (s - at[k - 1]) / (at[k] - at[k - 1] || 1);
+    return [0, 1, 2].map((d) => (1 - t) * line[3 * k - 3 + d] + t * line[3 * k + d]);
+  };
+  return Array.from({ length: count }, (_, n) => {
+    const [from, to] = [0.2, 0.8].map((part) => ((n + part) * length) / count);
+    const between = at.flatMap((s, k) => (s > from && s < to ? [...line.subarray(3 * k, 3 * k + 3)] : []));
+    return Float32Array.from([...place(from), ...between, ...place(to)]);
+  });
+}
+
 /** Two unit vectors at right angles to a unit vector and to each other. */
 function across(n) {
   const least = n.map(Math.abs).indexOf(Math.min(...n.map(Math.abs)));

@@ -54,11 +54,12 @@ void read_goals(Table& table, const problem::Problem& problem, problem::Accuracy
 std::vector<Section> accuracy_sections() {
   return {{"accuracy",
            "[accuracy]",
-           "Required accuracy of results. Meshes are refined where the errors matter, until twice all estimated errors "
-           "are below their tolerances. Errors are estimated by recovered stress resultants, and by a second solution "
-           "on the same cells with one degree more. (On triangles the estimates must hold on two meshes in a row "
-           "instead.) A tolerance is relative to the size of the number, or to a thousandth of the largest number of "
-           "its kind if that is larger: a component that vanishes by symmetry has no digits. The tolerance of the "
+           "Required accuracy of results. Meshes are refined where the errors matter, until twice each estimated "
+           "error is below its tolerance. Errors are estimated by recovered stress resultants, and by a second "
+           "solution on the same cells with one degree more. (On triangles the estimates must hold on two meshes "
+           "in a row instead.) A tolerance is relative to the size of the number, or to a thousandth of the largest "
+           "number of its kind if that is larger: a component that vanishes by symmetry has no digits. The tolerance "
+           "of the "
            "reaction is relative to the sum of the forces of all obstacles; it holds for the force of each obstacle, "
            "too. Without [mesh] and [accuracy] the tolerances of energy and reaction are 1e-3. All triangles are "
            "refined together. The same holds for cells along joined edges and along edges of rigid bodies. If a mesh "
@@ -71,9 +72,9 @@ std::vector<Section> accuracy_sections() {
                 "largest number of unknowns of a solution, and of the second solution that estimates its errors; if it "
                 "does not suffice, the status is accuracy_not_reached"),
             key("max_seconds", &problem::Accuracy::max_seconds, {.unit = "s", .range = Range::positive()},
-                "time limit: a mesh is not started if it would end later, with the steps on it; every mesh except the "
-                "first stops at the limit, and so does the search for modes. If the time does not suffice, the status "
-                "is accuracy_not_reached")},
+                "time limit. A mesh that would end later, with the steps on it, is not started. Meshes stop at the "
+                "limit, and so does the search for modes; only the first mesh is solved to its end, however long it "
+                "takes. If the time does not suffice, the status is accuracy_not_reached")},
            {},
            "tolerances of other numbers of results.json, with their names in quotes: \"probe.NAME.u.z\" and other "
            "components of u, r, N, M, Q; \"probe.NAME.stress_upper.11\", stress_middle, stress_lower, .von_mises; "

@@ -194,9 +194,7 @@ void read_foundations(Table& root, problem::Problem& problem) {
         spring.point_in_space = place->head<3>();
       else
         spring.point = place->head<2>();
-      if (!is_in_space(*place) && !may_contain(table.reading(), place->head<2>()))
-        table.report("point",
-                     fmt::format("the point ({:g}, {:g}) lies outside of the domain", (*place)[0], (*place)[1]));
+      check_inside(table, "point", "the point", *place);
     }
     all.push_back(std::move(spring));
   });

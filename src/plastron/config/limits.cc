@@ -74,6 +74,13 @@ const std::vector<Limit>& limits() {
        "`foundations`, `springs` and `obstacles` in `results.json` have forces and energies",
        "`[[spring]]` at a point or on a `[[rigid_body]]`, `[[foundation]]` under an area or along an edge (also one "
        "that a rigid body carries), `stiffness` of a `[[join]]`, or `bed` of an `[[obstacle]]`"},
+      {"free-bodies",
+       {"free", "free-body", "free-free", "unsupported", "inertia-relief"},
+       "Supports, springs, foundations or pressed obstacles prevent all rigid motions: no shell in free flight, and no "
+       "balance of loads by inertia.",
+       "an error of `check`, with the motions that are free",
+       "for frequencies of a free shell a `[[foundation]]` with a small `stiffness` in all directions: the six lowest "
+       "frequencies are those on the foundation; for loads in equilibrium `[[support]]` at three points"},
       {"point-loads",
        {"point-load", "point-force", "point-forces", "nodal-load", "nodal-loads", "nodal-force", "nodal-forces",
         "concentrated-load", "concentrated-loads", "concentrated-force", "concentrated-forces", ".force", ".forces",

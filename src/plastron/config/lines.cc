@@ -76,9 +76,7 @@ std::vector<ShellPlace> read_points(Table& table) {
                  "name the place of a single point in a [[probe]]");
     return {};
   }
-  for (const ShellPlace& at : *corners)
-    if (!is_in_space(at) && !may_contain(table.reading(), at.head<2>()))
-      table.report("through", fmt::format("the point [{}, {}] is outside the domain", at[0], at[1]));
+  for (const ShellPlace& at : *corners) check_inside(table, "through", "the point", at);
   return along(*corners, count);
 }
 
@@ -138,8 +136,7 @@ void read_probes(Table& root, problem::Problem& problem) {
       probe.in_space = at->head<3>();
     else if (at)
       probe.at = at->head<2>();
-    if (at && !is_in_space(*at) && !may_contain(table.reading(), probe.at))
-      table.report("at", fmt::format("the probe at [{}, {}] is outside the domain", probe.at[0], probe.at[1]));
+    if (at) check_inside(table, "at", "the probe at", *at);
     problem.probes.push_back(std::move(probe));
   });
 }

@@ -88,7 +88,8 @@ std::vector<Section> load_sections() {
                 "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "
                 "with boundary"),
             key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
-            key("pressure", Kind::field, {.unit = "N/m^2"}, "force along the normal a3; not on a boundary"),
+            key("pressure", Kind::field, {.unit = "N/m^2"},
+                "force along the normal a3; hydrostatic pressure is an expression of Z. Not on a boundary"),
             key("follows", Kind::boolean, {.fallback = "false"},
                 "true: with finite rotations the pressure acts along the normal and on the area of the deformed shell"),
             key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian couple, which does work on r")}}};
@@ -96,7 +97,7 @@ std::vector<Section> load_sections() {
 
 void read_loads(Table& root, problem::Problem& problem) {
   root.in_tables("load", [&](Table& load) {
-    if (!load.has("force") && !load.has("pressure") && !load.has("couple"))
+    if (!load.has("force") && !load.has("pressure") && !load.has("couple") && load.other_entries().empty())
       load.report_here("[[load]] has neither force nor pressure nor couple", "", "add for example force = [0, 0, -1]");
     if (load.has("boundary"))
       read_edge_load(load, problem);

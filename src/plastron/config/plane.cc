@@ -60,6 +60,31 @@ struct MayContain {
   bool operator()(const domain::MeshFile&) const { return true; }
 };
 
+/// The points of a domain in words.
+struct Extent {
+  std::string operator()(const domain::Rectangle& r) const { return box(r.from, r.to); }
+  std::string operator()(const domain::Disk& d) const {
+    return fmt::format("at most {:.6g} from ({:.6g}, {:.6g})", d.radius, d.centre[0], d.centre[1]);
+  }
+  std::string operator()(const domain::Annulus& a) const {
+    return fmt::format("{:.6g} to {:.6g} from ({:.6g}, {:.6g})", a.inner, a.outer, a.centre[0], a.centre[1]);
+  }
+  std::string operator()(const domain::Polygon& polygon) const {
+    Vector2d low = polygon.corners.front(), high = low;
+    for (const Vector2d& corner : polygon.corners) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    return "inside of the polygon, which has " + box(low, high);
+  }
+  std::string operator()(const domain::MeshFile&) const { return ""; }
+
+ private:
+  static std::string box(const Vector2d& low, const Vector2d& high) {
+    return fmt::format("{:.6g} <= x <= {:.6g}, {:.6g} <= y <= {:.6g}", low[0], high[0], low[1], high[1]);
+  }
+};
+
 }  // namespace
 
 std::string polygon_fault(const std::vector<Vector2d>& corners) {
@@ -78,8 +103,12 @@ std::string polygon_fault(const std::vector<Vector2d>& corners) {
   return "";
 }
 
-bool may_contain(const Reading& reading, const Vector2d& point) {
-  return !reading.domain || std::visit(MayContain{point}, *reading.domain);
+bool check_inside(const Table& table, const std::string& name, const std::string& what, const ShellPlace& place) {
+  const auto& domain = table.reading().domain;
+  if (is_in_space(place) || !domain || std::visit(MayContain{place.head<2>()}, *domain)) return true;
+  table.report(name, fmt::format("{} ({:g}, {:g}) lies outside of the domain", what, place[0], place[1]),
+               std::visit(Extent{}, *domain), "two numbers are parameters x, y; a place in space is [X, Y, Z]");
+  return false;
 }
 
 }  // namespace plastron::config

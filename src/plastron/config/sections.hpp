@@ -136,7 +136,8 @@ std::optional<std::vector<std::string>> read_boundaries(Table& table, const std:
 
 /// Returns the fault of a closed polygon, in words; "" if there is none.
 std::string polygon_fault(const std::vector<Eigen::Vector2d>& corners);
-/// Returns false if the point is certainly not in the domain; mesh files are not read.
-bool may_contain(const Reading& reading, const Eigen::Vector2d& point);
+/// Reports at the key `name` parameters that are certainly not in the domain; mesh files are not read. `what`: "the point".
+/// Returns whether they may be in it; true for a place in space.
+bool check_inside(const Table& table, const std::string& name, const std::string& what, const ShellPlace& place);
 
 }  // namespace plastron::config

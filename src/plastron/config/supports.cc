@@ -121,9 +121,8 @@ Places read_places(Table& support) {
   }
   if (!support.has("point")) return {.boundaries = read_boundaries(support).value_or(std::vector<std::string>{})};
   const auto point = support.place("point");
-  if (!point || is_in_space(*point) || may_contain(support.reading(), point->head<2>())) return {.point = point};
-  support.report("point", fmt::format("the point ({:g}, {:g}) lies outside of the domain", (*point)[0], (*point)[1]));
-  return {};
+  if (point && !check_inside(support, "point", "the point", *point)) return {};
+  return {.point = point};
 }
 
 /// Checks that a support at a point fixes only Cartesian components of u.

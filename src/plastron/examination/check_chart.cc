@@ -45,7 +45,13 @@ class ChartCheck {
 
  private:
   void check_proportions() {
-    constexpr double doubtful = 0.5, no_shell = 1.5;  // parts of half the diagonal
+    constexpr double very_thin = 1e-4, doubtful = 0.5, no_shell = 1.5;  // parts of half the diagonal
+    if (thinnest_ < very_thin * examined_.size)
+      examined_.add(Severity::note,
+                    "the diagonal of the box that holds the mid-surface is {:.2g} times the thickness, which is rare: "
+                    "check that the thickness and the geometry have the same unit of length (scale in [geometry] "
+                    "multiplies the lengths of a mesh file)",
+                    2 * examined_.size / thinnest_);
     if (!(thickest_ > doubtful * examined_.size)) return;
     examined_.add(
         thickest_ > no_shell * examined_.size ? Severity::error : Severity::warning,

@@ -75,14 +75,23 @@ void check_lines(Examined& examined) {
 }
 
 void check_probes(Examined& examined) {
+  const mesh::CoarseMesh& mesh = *examined.space->coarse;
+  const auto check = [&](const char* what, const std::string& name, const Eigen::Vector2d& at) {
+    if (fem::locate(mesh, at)) return;
+    Eigen::Vector2d low = mesh.vertices.front(), high = low;
+    for (const Eigen::Vector2d& vertex : mesh.vertices) {
+      low = low.cwiseMin(vertex);
+      high = high.cwiseMax(vertex);
+    }
+    examined.add(
+        Severity::error,
+        "the {} \"{}\" at ({:g}, {:g}) lies outside of the domain; the corners of its cells have x from {:g} to "
+        "{:g} and y from {:g} to {:g}",
+        what, name, at[0], at[1], low[0], high[0], low[1], high[1]);
+  };
   for (const energy::Foundation& spring : examined.problem.shell.foundations)
-    if (spring.point && !fem::locate(*examined.space->coarse, *spring.point))
-      examined.add(Severity::error, "the spring \"{}\" at ({:g}, {:g}) lies outside of the domain", spring.name,
-                   (*spring.point)[0], (*spring.point)[1]);
-  for (const problem::Probe& p : examined.problem.probes)
-    if (!fem::locate(*examined.space->coarse, p.at))
-      examined.add(Severity::error, "the probe \"{}\" at ({:g}, {:g}) lies outside of the domain", p.name, p.at[0],
-                   p.at[1]);
+    if (spring.point) check("spring", spring.name, *spring.point);
+  for (const problem::Probe& probe : examined.problem.probes) check("probe", probe.name, probe.at);
 }
 
 }  // namespace plastron::examination

@@ -71,7 +71,8 @@ double PlotAxis::position(double value) const {
 
 double PlotAxis::per_unit() const { return std::abs(end_ - begin_) / (high_ - low_); }
 
-/// Labels decades, every second or third one if there are many; in less than two decades 2 and 5 too.
+/// Labels decades, every second or third one if there are many; in less than two decades 2 and 5 too, in short ranges all
+/// but 7 and 9, which would touch 6 and 8.
 void PlotAxis::make_log_ticks() {
   const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::ceil(high_));
   const double decades = high_ - low_;
@@ -80,7 +81,8 @@ void PlotAxis::make_log_ticks() {
     for (int m = 1; m < 10; ++m) {
       const double place = d + std::log10(m);
       if (place < low_ || place > high_ || (m > 1 && decades > 7)) continue;
-      const bool labelled = (m == 1 && d % stride == 0) || ((m == 2 || m == 5) && decades < 2) || decades < 0.7;
+      const bool labelled =
+          (m == 1 && d % stride == 0) || ((m == 2 || m == 5) && decades < 2) || (decades < 0.7 && m != 7 && m != 9);
       ticks_.push_back({m * std::pow(10.0, d), labelled ? log_label(m, d) : ""});
     }
 }

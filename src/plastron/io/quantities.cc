@@ -174,7 +174,9 @@ Json field_json(const computation::Mode& mode) {
 
 std::span<const Quantity<Result>> contact_quantities() {
   static const std::vector<Quantity<Result>> all{
-      {"area", "m^2", "mid-surface area within the boundaries of the contact zones, summed over the obstacles",
+      {"area", "m^2",
+       "mid-surface area within the boundaries of the contact zones, summed over the obstacles. Contact along a line "
+       "or at a point has none: the number then shows the mesh",
        [](auto& r) { return r.summary.contact_area; }},
       {"nodes", "1", "touching nodes", [](auto& r) { return r.summary.touching_nodes; }},
       {"min_gap", "m", "smallest gap at a node", [](auto& r) { return r.certificate.min_gap_nodes; }},

@@ -130,6 +130,15 @@ Plot obstacle_history(const Json& history) {
   return plot;
 }
 
+/// Whether the supports carry a force that is more than rounding, beside the energy over the displacement.
+bool has_support_force(const Json& history) {
+  constexpr double rounding = 1e-9;
+  return std::ranges::any_of(history, [](const Json& instant) {
+    const double work = norm_of(instant.at("support_force")) * value_of(instant.at("max_displacement"));
+    return work > rounding * std::abs(value_of(instant.at("energy")));
+  });
+}
+
 void add_history_plots(const Json& history, bool has_obstacle, std::vector<NamedPlot>& plots) {
   if (history.empty()) return;
   if (has_control(history)) plots.push_back({"plot-history-loads", load_history(history)});
@@ -137,7 +146,7 @@ void add_history_plots(const Json& history, bool has_obstacle, std::vector<Named
     plots.push_back({"plot-history-obstacles", obstacle_history(history)});
     plots.push_back({"plot-history-contact-area", contact_history(history)});
   }
-  plots.push_back({"plot-history-supports", support_history(history)});
+  if (has_support_force(history)) plots.push_back({"plot-history-supports", support_history(history)});
 }
 
 }  // namespace

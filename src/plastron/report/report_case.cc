@@ -67,7 +67,10 @@ std::string load_words(const Json& load) {
   std::string where = "on the surface";
   if (!boundary.is_null()) where = "on boundary " + joined(boundary);
   if (!region.is_null()) where = "on region " + joined(region);
-  return described(load, {"boundary", "region"}) + " " + where;
+  std::string text = described(load, {"boundary", "region"});
+  const auto is_zero = [&](const char* key) { return says_nothing(at_path(load, key)); };
+  if (is_zero("force") && is_zero("pressure") && is_zero("couple")) text += text.empty() ? "force 0" : ", force 0";
+  return text + " " + where;
 }
 
 /// Describes an obstacle. Its shape is the entry that is a table.

@@ -46,14 +46,14 @@ std::string script_json(const Json& json) {
   return result;
 }
 
-std::string html_number(const Json& value, std::string_view path, double scale) {
+std::string html_number(const Json& value, std::string_view path, double scale, int digits) {
   if (value.is_null()) return "<span class=\"rounding\">none</span>";
   if (!value.is_number()) return html_text(plain_words(value));
   const double number = value.get<double>();
   const bool is_rounding = std::abs(number) < 1e-9 * scale;
   return fmt::format("<span class=\"number{}\"{} title=\"{}\">{}</span>", is_rounding ? " rounding" : "",
                      path.empty() ? "" : fmt::format(" data-path=\"{}\"", html_text(path)), value.dump(),
-                     is_rounding ? fmt::format("{:.2g}", number) : fmt::format("{:.7g}", number));
+                     value.is_number_float() ? fmt::format("{:.{}g}", number, is_rounding ? 2 : digits) : value.dump());
 }
 
 std::string plain_words(const Json& value) {

@@ -18,9 +18,9 @@ std::string valid_utf8(const std::string& text);
 std::string html_text(std::string_view text);
 /// Returns JSON that no HTML parser reads as markup in a script element: every '<' is written \u003c.
 std::string script_json(const Json& json);
-/// Returns seven digits, or "none" for null. A number that is only rounding relative to `scale` has three digits and is
-/// muted. The span has the place in results.json and all digits: data-path, title.
-std::string html_number(const Json& value, std::string_view path = "", double scale = 0);
+/// Returns `digits` digits, or "none" for null; integers have all. A number that is only rounding relative to `scale` has
+/// two digits and is muted. The span has the place in results.json and all digits: data-path, title.
+std::string html_number(const Json& value, std::string_view path = "", double scale = 0, int digits = 7);
 /// Returns a number, word, truth value or list as short plain text, not escaped: "(0, 0, -0.002)".
 std::string plain_words(const Json& value);
 

@@ -1,5 +1,5 @@
 // The data of the three-dimensional view in report.html, as JSON with base64 arrays of little-endian numbers: the
-// shell, obstacles, boundaries of contact zones, supported edges. viewer/src/scene.js reads it.
+// shell, obstacles, boundaries of contact zones, supported edges, loads. viewer/src/scene.js reads it.
 #pragma once
 #include <plastron/computation/result.hpp>
 #include <plastron/io/fields.hpp>

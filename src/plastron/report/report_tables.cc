@@ -158,6 +158,7 @@ std::string warnings_html(const Json& results) {
 }
 
 std::string key_numbers_html(const Json& results) {
+  constexpr int tile_digits = 4;
   static constexpr std::array columns{Column{"stored energy", "energy"},
                                       Column{"work of the loads", "load_work"},
                                       Column{"largest displacement", "size/max_displacement"},
@@ -168,12 +169,16 @@ std::string key_numbers_html(const Json& results) {
                                       Column{"contact area", "contact/area"},
                                       Column{"touching nodes", "contact/nodes"},
                                       Column{"largest pressure", "contact/max_pressure"},
+                                      Column{"largest line force at an edge", "contact/edge/max_line_reaction"},
                                       Column{"penetration between nodes", "contact/max_penetration_between_nodes"}};
   std::string tiles;
   for (const auto& [label, path] : columns) {
     const Json& value = at_path(results, path);
     const Json& units = at_path(results, "units");
-    if (!value.is_null()) tiles += tile(label, html_number(value, path), units.value(std::string(path), "1"));
+    const bool has_meaning =
+        path != "contact/edge/max_line_reaction" || at_path(results, "contact/edge/is_line") == Json(true);
+    if (!value.is_null() && has_meaning)
+      tiles += tile(label, html_number(value, path, 0, tile_digits), units.value(std::string(path), "1"));
   }
   const Json& levels = at_path(results, "levels");
   if (!levels.empty()) {
@@ -302,18 +307,36 @@ std::string contact_html(const Json& results) {
 }
 
 std::string probes_html(const Json& results) {
-  HtmlTable table({"<probe", "u X [m]", "Y", "Z", "r X [rad]", "Y", "Z", "gap [m]", "pressure [Pa]", "von Mises [Pa]"});
   const Json& probes = at_path(results, "probes");
+  if (probes.empty()) return "";
+  HtmlTable motions({"<probe", "u X [m]", "Y", "Z", "r X [rad]", "Y", "Z", "gap [m]", "pressure [Pa]"});
+  HtmlTable resultants({"<probe", "N 11 [N/m]", "22", "12", "M 11 [N]", "22", "12", "Q 1 [N/m]", "2"});
+  HtmlTable stresses({"<probe", "<place", "stress 11 [Pa]", "22", "12", "von Mises [Pa]"});
   for (const auto& [name, probe] : probes.items()) {
-    std::vector<std::string> cells{html_text(name)};
-    for (const char* key : {"u", "r"})
-      for (const Json& value : probe[key]) cells.push_back(html_number(value, "", largest_component(probe[key])));
-    cells.push_back(html_number(probe["gap"]));
-    cells.push_back(html_number(probe["eta"]));
-    cells.push_back(html_number(probe["von_mises"]));
-    table.row(cells);
+    const std::string label = html_text(name);
+    const auto add = [&values = probe](std::vector<std::string>& cells, const std::string& key, std::size_t size) {
+      const Json& vector = at_path(values, key);
+      for (std::size_t c = 0; c < size; ++c)
+        cells.push_back(html_number(vector.is_array() ? vector[c] : Json(nullptr), "", largest_component(vector)));
+    };
+    std::vector<std::string> motion{label}, resultant{label};
+    for (const char* key : {"u", "r"}) add(motion, key, 3);
+    for (const char* key : {"gap", "eta"}) motion.push_back(html_number(at_path(probe, key)));
+    motions.row(motion);
+    for (const char* key : {"N", "M"}) add(resultant, key, 3);
+    add(resultant, "Q", 2);
+    resultants.row(resultant);
+    for (const auto& [key, place] :
+         {std::pair("lower", "lower face"), std::pair("middle", "mid-surface"), std::pair("upper", "upper face")}) {
+      std::vector<std::string> stress{label, place};
+      add(stress, fmt::format("stress_{}", key), 3);
+      stress.push_back(html_number(at_path(probe, fmt::format("von_mises_{}", key))));
+      stresses.row(stress);
+    }
   }
-  return probes.empty() ? "" : table.text();
+  return motions.text() + resultants.text() + stresses.text() +
+         "<p class=\"note\">Forces, moments and stresses are along t<sub>1</sub> and t<sub>2</sub>, the axes of the "
+         "fields.</p>\n";
 }
 
 std::string certificate_html(const Json& results) {
