@@ -141,8 +141,10 @@ LevelResult solve_level(const LevelTask& task, std::unique_ptr<assembly::Discret
     const contact::BoxSolution duals = run.prepare_duals(z, nodal);
     if (task.goals) estimates = run.estimate(duals, nodal, verdict.summary);
     if (!task.valued.empty()) values = run.values(duals, nodal, verdict.summary);
-    if (task.goals && run.discrete().has_linear_strains()) buckling = run.buckling(z, nodal, verdict.summary);
   }
+  if (z.status == contact::Status::solved && (task.goals || task.judges_buckling) &&
+      run.discrete().has_linear_strains())
+    buckling = run.buckling(z, nodal, verdict.summary);
 
   Level record = record_of(measured(run.discrete(), nodal, verdict), z);
   record.buckling = buckling;

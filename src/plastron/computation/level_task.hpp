@@ -19,6 +19,7 @@ struct LevelTask {
   std::optional<algebra::Vector> zone{};  ///< expected contact zone (contact_forecast.hpp); empty at first
   /// Goals whose errors are estimated, together with the solution's error.
   std::optional<std::vector<estimation::Goal>> goals{};
+  bool judges_buckling = false;  ///< in the linear model: membrane forces over the buckling load, without goals, too
   std::vector<estimation::Goal> valued{};  ///< goals of which only values are computed
   Seconds seconds{};                       ///< time spent on the mesh and on `discrete`
 };

@@ -109,6 +109,7 @@ bool Meshes::solve_next(const problem::Instant& instant) {
   const bool is_end =
       number == run_.problem.discretisation.refinements && run_.instants.size() == 1 && !instant.control;
   if (run_.problem.accuracy || is_end) task.goals = run_.goals();
+  task.judges_buckling = number == run_.problem.discretisation.refinements && instant.part == 1;
   assembly::State start = run_.state_at(instant);
   const bool is_first = &instant == &run_.instants.front();
   const bool is_anew = number == 0 || (is_first && run_.result.passing.value_or(Passing{}).cells > 0);

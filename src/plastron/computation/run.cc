@@ -256,7 +256,8 @@ void Run::find_modes() {
 bool Run::wants_model_check(const problem::Instant& instant) const {
   constexpr double notable = 0.1, growth = 2;  // thicknesses; since the last check
   const double moved = result.summary.max_relative_displacement;
-  return &instant == &instants.back() || moved > std::max(notable, growth * checked_displacement_);
+  const double checked = problem.steps_are_cases ? 0 : growth * checked_displacement_;
+  return &instant == &instants.back() || moved > std::max(notable, checked);
 }
 
 void Run::record(const problem::Instant& instant) {
@@ -310,7 +311,7 @@ Result Run::finish() {
     find_stress_peak(result);
     warn(state_warnings(problem, result));
     find_modes();
-    warn(material_warnings(result));
+    warn(material_warnings(problem, result));
     if (result.status == contact::Status::infeasible) result.missed_limits = contradiction_text(*solution().discrete);
     if (result.status == contact::Status::no_equilibrium)
       result.missed_limits = softest_motion_text(*solution().discrete, solution().nodal);

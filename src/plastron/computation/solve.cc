@@ -23,6 +23,7 @@ Attempt attempted(Run& run, Meshes& meshes, const problem::Instant& instant, con
   task.leaves_unstable = !instant.control;
   const bool is_judged = run.problem.accuracy || &instant == &run.instants.back();
   if (is_judged && !instant.control) task.goals = run.goals();
+  task.judges_buckling = instant.part == 1;
   auto discrete = run.relinearised(run.state_at(instant, departure), departure.trend, task);
   task.seconds.discretisation = watch.lap();
   LevelResult level = solve_level(task, std::move(discrete), run.observer);
@@ -56,6 +57,7 @@ bool solve_case(Run& run, Meshes& meshes, const problem::Instant& instant) {
   Stopwatch watch;
   LevelTask task = run.task_after_first_level(run.problem.discretisation.refinements);
   if (run.problem.accuracy || &instant == &run.instants.back()) task.goals = run.goals();
+  task.judges_buckling = true;
   const ContactTrend expected = run.expected_contact(nullptr);
   auto discrete = run.relinearised(run.state_at(instant), expected, task);
   task.seconds.discretisation = watch.lap();

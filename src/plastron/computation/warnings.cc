@@ -32,8 +32,12 @@ constexpr double notable_loosening = 1e3;
 /// Relative error by the mesh of the mid-surface that causes a warning where no accuracy is requested.
 constexpr double notable_geometry_error = 0.01;
 
-std::string instant_text(const Result& result) {
-  return result.history.empty() ? "" : fmt::format("at time {:g}, ", result.model->time);
+/// Returns "in the case "storm", " or "at time 1, ", which begins a sentence; "" without steps.
+std::string instant_text(const problem::Problem& problem, const Result& result, double time) {
+  const auto entry = std::ranges::find(result.history, time, [](const HistoryEntry& e) { return e.factors.time; });
+  if (entry == result.history.end()) return "";
+  return problem.steps_are_cases ? fmt::format("in the case \"{}\", ", entry->step)
+                                 : fmt::format("at time {:g}, ", time);
 }
 
 /// Returns where the solution that was compared lies, and what to do.
@@ -44,31 +48,31 @@ std::string model_advice(const ModelCheck& check) {
       check.relative_displacement, check.rotation);
 }
 
-std::string linear_model_text(const Result& result) {
+std::string linear_model_text(const problem::Problem& problem, const Result& result) {
   const ModelCheck& check = *result.model;
   std::vector<std::string> numbers;
   for (const ModelQuantity& q : check.quantities)
     if (q.difference() > notable_model_error)
       numbers.push_back(fmt::format("{} {:.3g} {} and not {:.3g} {}", q.name, q.finite, q.unit, q.linear, q.unit));
   return fmt::format("{}the linear model is left: the model of finite rotations has, nearly, {}; {}",
-                     instant_text(result), fmt::join(numbers, ", "), model_advice(check));
+                     instant_text(problem, result, result.model->time), fmt::join(numbers, ", "), model_advice(check));
 }
 
-std::string unstable_text(const Result& result) {
+std::string unstable_text(const problem::Problem& problem, const Result& result) {
   return fmt::format(
       "{}the linear model is left: with finite rotations the shell {}; it buckles or snaps through before; {}",
-      instant_text(result),
+      instant_text(problem, result, result.model->time),
       result.model->status == contact::Status::solved ? "is not stable near this solution"
                                                       : "has no equilibrium near this solution",
       model_advice(*result.model));
 }
 
-std::string buckling_text(double buckling) {
+std::string buckling_text(const std::string& when, double buckling) {
   return fmt::format(
-      "the membrane forces are {:.2g} times those under which a perfect shell buckles, contact held, and real ones "
+      "{}the membrane forces are {:.2g} times those under which a perfect shell buckles, contact held, and real ones "
       "buckle from half of these on; the linear model knows no buckling; set rotations = \"finite\" in [shell], use a "
       "smaller load or a thicker shell",
-      buckling);
+      when, buckling);
 }
 
 std::string penetration_text(double depth, double part) {
@@ -158,19 +162,22 @@ void sideways_warnings(const solution::Summary& summary, std::vector<std::string
 }
 
 /// The model of finite rotations has other numbers or no stable solution nearby, or the shell would buckle.
-void linear_model_warnings(const Result& result, std::vector<std::string>& warnings) {
-  double buckling = result.levels.empty() ? 0 : result.last_level().buckling.value_or(0);
-  for (const HistoryEntry& instant : result.history)
-    if (instant.level.status == contact::Status::solved)
-      buckling = std::max(buckling, instant.level.buckling.value_or(0));
+void linear_model_warnings(const problem::Problem& problem, const Result& result, std::vector<std::string>& warnings) {
   if (result.model) {
     const std::string word = word_of(*result.model);
     if (word == "unstable" || word == "no_solution")
-      warnings.push_back(unstable_text(result));
+      warnings.push_back(unstable_text(problem, result));
     else if (result.model->largest() > notable_model_error)
-      warnings.push_back(linear_model_text(result));
+      warnings.push_back(linear_model_text(problem, result));
   }
-  if (buckling > near_buckling) warnings.push_back(buckling_text(buckling));
+  double buckling = result.levels.empty() ? 0 : result.last_level().buckling.value_or(0);
+  std::string when;
+  for (const HistoryEntry& instant : result.history)
+    if (instant.level.status == contact::Status::solved && instant.level.buckling.value_or(0) >= buckling) {
+      buckling = instant.level.buckling.value_or(0);
+      when = instant_text(problem, result, instant.factors.time);
+    }
+  if (buckling > near_buckling) warnings.push_back(buckling_text(when, buckling));
 }
 
 /// Snaps between states with finite rotations. Where the program has divided the way, more parts do not help.
@@ -255,18 +262,24 @@ void load_warnings(const problem::Problem& problem, const Result& result, std::v
 }
 
 /// Strains beyond the range of the linear material law.
-void strain_warnings(const Result& result, std::vector<std::string>& warnings) {
-  const double strain = result.summary.max_strain;
+void strain_warnings(const problem::Problem& problem, const Result& result, std::vector<std::string>& warnings) {
+  double strain = result.summary.max_strain;
+  std::string when, stress;
+  if (const Eigen::Vector3d& at = result.peak.position; result.peak.von_mises > 0)
+    stress = fmt::format(", the largest von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m",
+                         result.peak.von_mises, at[0], at[1], at[2]);
+  for (const HistoryEntry& instant : result.history)  // the last one is that of the stress
+    if (instant.summary.max_strain > (1 + 1e-9) * strain) {
+      strain = instant.summary.max_strain;
+      when = instant_text(problem, result, instant.factors.time);
+      stress.clear();
+    }
   if (!(strain > largest_strain)) return;
-  const Eigen::Vector3d& at = result.peak.position;
-  const std::string stress = result.peak.von_mises > 0
-                                 ? fmt::format(", the largest von Mises stress {:.4g} Pa at ({:.4g}, {:.4g}, {:.4g}) m",
-                                               result.peak.von_mises, at[0], at[1], at[2])
-                                 : "";
-  warnings.push_back(fmt::format(
-      "the largest strain is {:.2g} %{}: most metals yield at strains of 0.1 to 0.5 %, and the law is linear; compare "
-      "stresses with the yield stress, use a smaller load or a program with plasticity",
-      100 * strain, stress));
+  warnings.push_back(
+      fmt::format("{}the largest strain is {:.2g} %{}: most metals yield at strains of 0.1 to 0.5 %, and the law is "
+                  "linear; compare "
+                  "stresses with the yield stress, use a smaller load or a program with plasticity",
+                  when, 100 * strain, stress));
 }
 
 /// A share of transverse shear that no shell has.
@@ -430,7 +443,7 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem) {
 std::vector<std::string> state_warnings(const problem::Problem& problem, const Result& result) {
   std::vector<std::string> warnings;
   load_warnings(problem, result, warnings);
-  linear_model_warnings(result, warnings);
+  linear_model_warnings(problem, result, warnings);
   jump_warnings(problem, result, warnings);
   control_warnings(result, warnings);
   stability_warnings(result, warnings);
@@ -443,10 +456,10 @@ std::vector<std::string> state_warnings(const problem::Problem& problem, const R
   return warnings;
 }
 
-std::vector<std::string> material_warnings(const Result& result) {
+std::vector<std::string> material_warnings(const problem::Problem& problem, const Result& result) {
   std::vector<std::string> warnings;
   mode_warnings(result, warnings);
-  strain_warnings(result, warnings);
+  strain_warnings(problem, result, warnings);
   shear_warnings(result, warnings);
   return warnings;
 }

@@ -18,7 +18,7 @@ std::vector<std::string> locking_warnings(const problem::Problem& problem);
 /// Returns warnings on loads, rotations, stability, mesh, contact, supports and probes; needs contact zones and the stress peak.
 std::vector<std::string> state_warnings(const problem::Problem& problem, const Result& result);
 /// Returns warnings on strains beyond the linear law and on transverse shear that no shell has; needs modes and the stress peak.
-std::vector<std::string> material_warnings(const Result& result);
+std::vector<std::string> material_warnings(const problem::Problem& problem, const Result& result);
 
 /// Returns the obstacles whose bounds contradict each other or a support, with the place where most room is missing; empty if
 /// none do (collective).
