@@ -648,6 +648,47 @@ factors = { summer = 1, snow = 0.2 }
 }
 
 // Weight first and snow later, by factors and by hand.
+// A strip on a bed under 1.2 times its buckling load, and then bent to 3 % of strain: the warnings name that case in any order.
+TEST(LoadCases, AreAllJudged) {
+  const std::string rest = "[[case]]\nname = \"rest\"\nfactors = { w = 1 }\n",
+                    storm = "[[case]]\nname = \"storm\"\nfactors = { push = 1 }\n",
+                    flood = "[[case]]\nname = \"flood\"\nfactors = { w = 1e6 }\n";
+  for (const std::string& cases : {rest + storm, storm + rest, flood + storm + rest, rest + flood + storm}) {
+    const auto result = solved(R"case([shell]
+E = 2.1e11
+nu = 0
+thickness = 0.01
+[geometry]
+domain = { rectangle = { to = [1, 0.2], cells = [8, 1] } }
+chart = ["x", "y", "0"]
+[mesh]
+degree = 4
+refinements = 0
+[[foundation]]
+normal = 2e5
+[[support]]
+boundary = "left"
+fix = ["u"]
+[[support]]
+boundary = "right"
+fix = ["u.y", "u.z"]
+[[load]]
+name = "push"
+boundary = "right"
+force = [-231578.776, 0, 0]
+[[load]]
+name = "w"
+force = [0, 0, -1]
+)case" + cases);
+    using testing::AllOf, testing::Contains, testing::HasSubstr, testing::StartsWith;
+    EXPECT_THAT(result.warnings,
+                Contains(AllOf(StartsWith("in the case \"storm\", the membrane forces are 1.2"), HasSubstr("buckle"))))
+        << cases;
+    if (cases.find("flood") == std::string::npos) continue;
+    EXPECT_THAT(result.warnings, Contains(StartsWith("in the case \"flood\", the largest strain is"))) << cases;
+  }
+}
+
 TEST(Factors, MakeAHistory) {
   const auto result = solved(slab(R"case([[step]]
 factors = { weight = 1, wind = 0, snow = 0, summer = 0 }
