@@ -65,7 +65,7 @@ algebra::Matrix h1_matrix(const energy::ShellOperator& shell, const assembly::No
   const double weight_of_s = length * length;
   const Vector6 weights = (Vector6() << 1, 1, 1, weight_of_s, weight_of_s, weight_of_s).finished();
   const fem::Space& space = shell.space();
-  algebra::Matrix matrix(space.layout, coordinates.width, space.constraints.couplings(space.connectivity));
+  algebra::Matrix matrix(space.layout, coordinates.width, space.couplings());
   for (std::size_t c = 0; c < space.owned_cells; ++c) {
     const assembly::RowMatrix cartesian = shell.quadrature_bases(c).empty()
                                               ? by_components(scalar_element(shell, c, length), weights)
