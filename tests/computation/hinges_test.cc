@@ -237,6 +237,7 @@ TEST(Hinges, BesideAKinkTurnItsSheetsTogether) {
     const Result r = solve(p, MPI_COMM_WORLD);
     ASSERT_EQ(r.status, contact::Status::solved) << r.missed_limits;
     energies.push_back(r.summary.energy.total());
+    EXPECT_NEAR(solve(p, MPI_COMM_SELF).summary.energy.total() / energies.back(), 1, 1e-7);
   }
   EXPECT_NEAR(energies[1] / energies[0], 1, 1e-7);
   EXPECT_NEAR(energies[2] / energies[0], 1, 1e-7);

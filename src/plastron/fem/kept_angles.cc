@@ -155,16 +155,21 @@ Vector3d turned_axis(const KeptAngle& pair, std::span<const Vector3d> normals, s
 ExpressedKinks expressed_at(const Space& space, const std::vector<KeptAngle>& pairs, std::span<const Vector3d> normals,
                             std::span<const Vector3d> directors) {
   std::vector<Kink> kinks;
+  std::set<std::size_t> following;
   const auto node_at = [&](std::size_t node, const Vector3d& axis) {
     return BoundaryNode{space.layout->global(static_cast<LocalIndex>(node)), Vector3d::Zero(), directors[node], axis};
   };
   for (const KeptAngle& pair : pairs) {
     const Vector3d axis = turned_axis(pair, normals, directors);
+    following.insert(pair.node);
     kinks.push_back({{node_at(pair.other, axis), node_at(pair.node, axis)}});
   }
   for (const constraints::Row& kink : space.kinks.rows()) {
     const auto node = static_cast<std::size_t>(kink.node), decides = static_cast<std::size_t>(kink.terms.front().node);
-    if (!space.continuity.constrains(node) && !turns_with_deciding(*space.constraints.find(node)))
+    // A node that keeps an angle has its u by that pair. A hinge beside it would let the order of nodes, which ranks choose
+    // differently, decide which of both keeps the angle.
+    if (space.continuity.constrains(node) || following.contains(node)) continue;
+    if (!turns_with_deciding(*space.constraints.find(node)))
       kinks.push_back({{node_at(decides, Vector3d::Zero()), node_at(node, Vector3d::Zero())}, true});
   }
   return expressed(kinks);
