@@ -77,9 +77,9 @@ bool is_along(const solution::ContactLine& line, Places points, bool is_closed) 
   for (int sense = 0; sense < 2; ++sense) {
     for (std::size_t k = 0; k < (is_closed ? points.size() : 1); ++k) {
       if (found == points) return true;
-      std::ranges::rotate(points, points.begin() + 1);
+      std::rotate(points.begin(), points.begin() + 1, points.end());
     }
-    if (!is_closed) std::ranges::rotate(points, points.end() - 1);
+    if (!is_closed) std::rotate(points.begin(), points.end() - 1, points.end());
     std::ranges::reverse(points);
   }
   return false;
