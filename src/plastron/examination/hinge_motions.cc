@@ -88,7 +88,7 @@ class Resistance {
   MatrixXd free() const {
     constexpr double resisted = 1e-10, apart = 1e-8;
     const double largest = std::max(1.0, gram_.diagonal().maxCoeff());
-    const MatrixXd all = eigenvectors(gram_, resisted * largest, false);
+    MatrixXd all = eigenvectors(gram_, resisted * largest, false);
     if (all.cols() == 0) return all;
     const MatrixXd together = MatrixXd::Identity(6, 6).replicate(static_cast<Index>(pieces_.size()), 1) /
                               std::sqrt(static_cast<double>(pieces_.size()));
