@@ -82,7 +82,7 @@ std::string read_own_name(Table& table, const std::vector<Foundation>& all, bool
 }
 
 /// Reads where a foundation acts.
-void read_place(Table& table, const problem::Problem& problem, Foundation& foundation) {
+void read_extent(Table& table, const problem::Problem& problem, Foundation& foundation) {
   if (table.has("boundary")) {
     if (table.has("region"))
       table.report_key("region", "a foundation is along a boundary or under a region, not both", "",
@@ -165,7 +165,7 @@ void read_foundations(Table& root, problem::Problem& problem) {
       table.report_key("axes", "the foundation has no stiffness along axes", "",
                        "add stiffness = [..], or remove axes");
     if (const auto axes = read_axes(table)) foundation.axes = *axes;
-    read_place(table, problem, foundation);
+    read_extent(table, problem, foundation);
     all.push_back(std::move(foundation));
   });
   root.in_tables("spring", [&](Table& table) {

@@ -45,6 +45,7 @@ std::map<int, std::vector<BoundaryNode>> nodes_of(const Space& space, const Surf
     }
   }
   std::vector<std::pair<int, BoundaryNode>> items;
+  items.reserve(mine.size());
   for (const auto& [key, node] : mine) items.emplace_back(key.first, node);
   for (const auto& [boundary, node] : algebra::gathered(items, space.layout->comm))
     all.emplace(std::pair(boundary, node.node), node);

@@ -1,5 +1,7 @@
 #include <plastron/io/envelopes.hpp>
 
+#include <fmt/format.h>
+
 #include <plastron/algebra/vector.hpp>
 
 #include <algorithm>
@@ -39,7 +41,7 @@ void widen_all(const std::string& load_case, const std::string& path, const Json
     if (key == "estimates" || key == "factors" ||
         std::ranges::find(not_physical, std::string_view(key)) != not_physical.end())
       continue;
-    widen_all(load_case, path.empty() ? key : path + "/" + key, item.value(), ranges);
+    widen_all(load_case, path.empty() ? key : fmt::format("{}/{}", path, key), item.value(), ranges);
   }
 }
 
