@@ -36,7 +36,7 @@ class LoadCase(Record):
     @property
     def fields(self) -> Fields:
         """The fields, from the .vtu files: with the cells of all ranks, and rounded to single precision unless the case has
-        ``output.precision = "double"``. Raises ResultsError where there are none. Collective."""
+        ``output.precision = "double"``. Raises ResultsError if the files have no fields. Collective."""
         return self._read()
 
 

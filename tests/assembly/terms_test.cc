@@ -172,7 +172,7 @@ algebra::Vector placed_motion(const fem::Space& space, const Eigen::Vector3d& d,
   return y;
 }
 
-// Of rotations up to 2.5, about drawn axes.
+// The rotations are up to 2.5, about drawn axes.
 TEST(BodySpring, HasForcesAndStiffnessThatAreDerivativesOfItsEnergy) {
   const auto m = test::meshed(test::skew(), test::saddle, 2, 1);
   const auto space = fem::with_rigid_bodies(

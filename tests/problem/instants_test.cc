@@ -79,7 +79,7 @@ TEST(Instants, GoInEqualPartsAndEndWithTheFactorsOfTheirSteps) {
   }
 }
 
-// Of steps that choose their parts the ends are given, and an eighth of the first step.
+// A step that chooses its parts has one instant, its end. The first step has a second one at an eighth.
 TEST(Instants, OfChosenPartsAreTheEndsAndAFirstPart) {
   Random random(2);
   for (int draw = 0; draw < 10; ++draw) {

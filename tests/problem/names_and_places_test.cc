@@ -134,7 +134,7 @@ double size_of(std::string_view unit) {
   return sizes.at(unit);
 }
 
-// Whatever its name: a stress is a force over a squared length, and an energy a force times a length.
+// A stress is a force over a squared length, and an energy a force times a length.
 TEST(UnitNames, OfStressAndEnergyHaveTheSizesOfTheirForcesAndLengths) {
   for (const char* force : {"N", "kN", "MN", "lbf"})
     for (const char* length : {"m", "mm", "in"}) {

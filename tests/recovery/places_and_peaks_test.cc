@@ -88,8 +88,8 @@ std::vector<CellResultants> points_of(const assembly::DiscreteShell& discrete) {
   return cells;
 }
 
-// Of 16 vertices the four inside have full patches; their planes map all points of their cells into a square; fits of polynomials
-// return their coefficients. Every cell has an inner vertex.
+// Nine cells have 16 vertices. The four vertices inside have full patches. Their planes map all points of their cells into a square.
+// Fits of polynomials return their coefficients. Every cell has an inner vertex.
 TEST(Patches, OfNineCellsAreFullAtTheirInnerVerticesAndReproducePolynomials) {
   Random random(2);
   for (const int degree : {1, 2, 3, 5}) {

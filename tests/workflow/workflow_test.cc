@@ -1,5 +1,5 @@
-// The way of a case from its file to verified results. What the user can mend becomes RefusedCase, in the same words as where it was
-// found; what the program did wrong stays what it is. The directory of results is as before where nothing is kept.
+// The way of a case from its file to verified results. An error that the user can mend becomes RefusedCase with the same words.
+// Other exceptions pass unchanged. A run that keeps nothing leaves the directory of results as it was.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <plastron/assembly/nodal_coordinates.hpp>
@@ -161,7 +161,7 @@ TEST(Severities, HaveTheirNames) {
   EXPECT_STREQ(to_string(Severity::note), "note");
 }
 
-// Of all outcomes, one says that the case itself is wrong. Where and why: the step, its time, the status in words.
+// One status says that the case itself is wrong. The text has the step, its time and the status in words.
 TEST(Refusals, AreThoseOfInfeasibleCasesAlone) {
   int refused = 0;
   for (const contact::Status status : contact::statuses()) refused += is_refused(status) ? 1 : 0;

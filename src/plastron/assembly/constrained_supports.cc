@@ -22,28 +22,28 @@ using SupportRows = std::vector<std::pair<Vector3d, double>>;
 class MovedRows {
  public:
   void add(algebra::GlobalIndex to, bool is_rotation, const SupportRows& rows, double scale) {
-    for (const auto& [d, value] : rows)
-      packed_.insert(packed_.end(), {static_cast<double>(to), is_rotation ? 1.0 : 0.0, d[0], d[1], d[2], value, scale});
+    for (const auto& [direction, value] : rows) rows_.push_back({to, is_rotation, direction, value, scale});
   }
 
   /// Adds the rows of all ranks to the supports of the owned nodes (collective).
   void deliver(const algebra::Layout& layout, std::vector<NodeSupport>& supports) const {
-    const auto all = algebra::gathered(packed_, layout.comm);
-    for (std::size_t i = 0; i < all.size(); i += size) {
-      const auto node = static_cast<algebra::GlobalIndex>(all[i]);
-      if (!layout.owns(node)) continue;
-      NodeSupport& at = supports[static_cast<std::size_t>(node - layout.first)];
-      const bool is_rotation = all[i + 1] != 0;
-      (is_rotation ? at.rotation : at.displacement)
-          .emplace_back(Vector3d(all[i + 2], all[i + 3], all[i + 4]), all[i + 5]);
-      double& scale = is_rotation ? at.rotation_scale : at.displacement_scale;
-      scale = std::max(scale, all[i + 6]);
+    for (const MovedRow& row : algebra::gathered(rows_, layout.comm)) {
+      if (!layout.owns(row.to)) continue;
+      NodeSupport& at = supports[static_cast<std::size_t>(row.to - layout.first)];
+      (row.is_rotation ? at.rotation : at.displacement).emplace_back(row.direction, row.value);
+      double& scale = row.is_rotation ? at.rotation_scale : at.displacement_scale;
+      scale = std::max(scale, row.scale);
     }
   }
 
  private:
-  static constexpr std::size_t size = 7;  // node, 0 for u and 1 for r, direction, value, scale
-  std::vector<double> packed_{};
+  struct MovedRow {
+    algebra::GlobalIndex to;
+    bool is_rotation;
+    Vector3d direction;
+    double value, scale;
+  };
+  std::vector<MovedRow> rows_{};
 };
 
 /// Two rotations at a kinked node: its own one about the direction across the edge, and the one about the edge, which

@@ -50,7 +50,7 @@ struct DiscreteShell {
   /// Block of vectors with a value for each obstacle, at least 1.
   int obstacle_block() const { return std::max(1, static_cast<int>(obstacles_at_start.all.size())); }
   bool has_finite_rotations() const { return rotations == element::Rotations::finite; }
-  // What follows from the model:
+  // Properties of the model. Code outside of energy, assembly and finite asks for these and not for the model:
   /// Whether strains, and the forces of the shell, are linear in (u, r).
   bool has_linear_strains() const { return !has_finite_rotations(); }
   /// Whether coordinates are those of increments from the state, and 0 at a solution; else they are those of (u, r).

@@ -59,29 +59,31 @@ struct NearestFace {
 std::vector<std::map<std::size_t, NearestFace>> faces_at_folds(const fem::Space& space,
                                                                const std::vector<std::vector<obstacle::Gap>>& gaps,
                                                                const std::vector<std::vector<double>>& values) {
-  constexpr std::size_t size = 4;  // deciding node, obstacle, distance, height
-  std::vector<double> mine;
+  struct Candidate {
+    algebra::GlobalIndex decides;
+    std::size_t obstacle;
+    NearestFace face;
+  };
+  std::vector<Candidate> mine;
   const auto add = [&](algebra::LocalIndex decides, algebra::LocalIndex side) {
     const auto node = static_cast<std::size_t>(side);
     for (std::size_t k = 0; k < gaps.size(); ++k)
-      mine.insert(mine.end(), {static_cast<double>(space.layout->global(decides)), static_cast<double>(k),
-                               values[k][node], gaps[k][node].z});
+      mine.push_back({space.layout->global(decides), k, {values[k][node], gaps[k][node].z}});
   };
   for (const constraints::Row& row : space.kinks.rows()) {
     if (row.node >= space.layout->owned) continue;
     add(row.terms.front().node, row.node);
     add(row.terms.front().node, row.terms.front().node);
   }
-  const auto all = algebra::gathered(mine, space.layout->comm);
   std::map<algebra::GlobalIndex, std::size_t> local;
   for (algebra::LocalIndex i = 0; i < space.layout->local_size(); ++i)
     local.emplace(space.layout->global(i), static_cast<std::size_t>(i));
   std::vector<std::map<std::size_t, NearestFace>> faces(gaps.size());
-  for (std::size_t at = 0; at < all.size(); at += size) {
-    const auto node = local.find(static_cast<algebra::GlobalIndex>(all[at]));
+  for (const Candidate& candidate : algebra::gathered(mine, space.layout->comm)) {
+    const auto node = local.find(candidate.decides);
     if (node == local.end()) continue;
-    NearestFace& face = faces[static_cast<std::size_t>(all[at + 1])][node->second];
-    if (all[at + 2] < face.gap) face = {all[at + 2], all[at + 3]};
+    NearestFace& face = faces[candidate.obstacle][node->second];
+    if (candidate.face.gap < face.gap) face = candidate.face;
   }
   return faces;
 }

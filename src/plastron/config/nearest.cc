@@ -49,7 +49,7 @@ std::vector<std::string> nearest_few(const std::string& word, std::span<const st
         is_abbreviation(candidate, word))
       near.emplace_back(distance, candidate);
   }
-  // Of two that are equally near, a word with a letter more is likelier: "ux" means "u.x" and not "u".
+  // Two words may be equally near. The longer one is likelier: "ux" means "u.x" and not "u".
   std::ranges::stable_sort(
       near, {}, [&](const auto& entry) { return std::pair(entry.first, entry.second.size() < word.size()); });
   std::vector<std::string> few;

@@ -1,6 +1,8 @@
 // Plane geometry of the built-in domains: whether a polygon is simple, whether a point is inside.
 #include <plastron/config/sections.hpp>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace plastron::config {
@@ -70,12 +72,9 @@ struct Extent {
     return fmt::format("{:.6g} to {:.6g} from ({:.6g}, {:.6g})", a.inner, a.outer, a.centre[0], a.centre[1]);
   }
   std::string operator()(const domain::Polygon& polygon) const {
-    Vector2d low = polygon.corners.front(), high = low;
-    for (const Vector2d& corner : polygon.corners) {
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
-    }
-    return "inside of the polygon, which has " + box(low, high);
+    Eigen::AlignedBox2d around;
+    for (const Vector2d& corner : polygon.corners) around.extend(corner);
+    return "inside of the polygon, which has " + box(around.min(), around.max());
   }
   std::string operator()(const domain::MeshFile&) const { return ""; }
 

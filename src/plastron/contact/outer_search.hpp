@@ -1,4 +1,4 @@
-// What the searches share that call a contact solver again and again: for the positions of pressed obstacles, or for the
+// The common frame of searches that call a contact solver many times: for the positions of pressed obstacles, or for the
 // multipliers of equations.
 #pragma once
 #include <plastron/contact/searches.hpp>

@@ -37,20 +37,21 @@ class BodySpring final : public Term {
   bool is_on_body() const override { return true; }
 
   double energy(const ShellOperator& shell, const algebra::Vector& y) const override {
-    const fem::BodyMotion q = motion(shell.space(), y);
+    const fem::BodyMotion q = motion(shell.space(), placed(shell.space(), y), y);
     return (q.displacement.dot(stiffness_ * q.displacement) + q.rotation.dot(of_rotation_ * q.rotation)) / 2;
   }
 
   void add_forces(const ShellOperator& shell, const algebra::Vector& y, algebra::Vector& f) const override {
-    const fem::BodyMotion q = motion(shell.space(), y);
-    add(shell.space(), placed(shell.space(), y), {stiffness_ * q.displacement, couple(q.rotation)}, f);
+    const Placed at = placed(shell.space(), y);
+    const fem::BodyMotion q = motion(shell.space(), at, y);
+    add(shell.space(), at.body, {stiffness_ * q.displacement, couple(q.rotation)}, f);
   }
 
   void add_product(const ShellOperator& shell, const algebra::Vector& state, const algebra::Vector& v,
                    algebra::Vector& f) const override {
-    const fem::PlacedBody body = placed(shell.space(), state);
-    const fem::BodyMotion q = fem::fitted_motion(shell.space(), body, v);
-    add(shell.space(), body, {stiffness_ * q.displacement, couple_rate(shell.space(), state) * q.rotation}, f);
+    const Placed at = placed(shell.space(), state);
+    const fem::BodyMotion q = fem::fitted_motion(shell.space(), at.body, v);
+    add(shell.space(), at.body, {stiffness_ * q.displacement, couple_rate(at.place.turn) * q.rotation}, f);
   }
 
   std::optional<RowMatrix> stiffness(const ShellOperator& /*shell*/, std::size_t /*cell*/) const override { return {}; }
@@ -61,24 +62,29 @@ class BodySpring final : public Term {
     const double length = shell.space().bodies[body].length;
     constraints::Matrix6 k = constraints::Matrix6::Zero();
     k.topLeftCorner<3, 3>() = stiffness_;
-    k.bottomRightCorner<3, 3>() = couple_rate(shell.space(), state) / (length * length);
+    k.bottomRightCorner<3, 3>() = couple_rate(place_in(shell.space(), state).turn) / (length * length);
     return k;
   }
 
  private:
-  /// Returns the body at its place in the state, from which further motions are measured.
-  fem::PlacedBody placed(const fem::Space& space, const algebra::Vector& y) const {
-    const fem::PlacedBody& body = space.bodies[body_];
-    return is_moved(y) ? fem::turned_body(body, fem::place_of(space, body, y)) : body;
+  struct Placed {
+    fem::BodyPlace place;
+    fem::PlacedBody body;  // there: further motions are measured from it
+  };
+
+  /// Returns the place of the body in a state; that of the reference with small rotations.
+  fem::BodyPlace place_in(const fem::Space& space, const algebra::Vector& y) const {
+    return is_finite_ && y.layout() ? fem::place_of(space, space.bodies[body_], y) : fem::BodyPlace{};
   }
 
-  bool is_moved(const algebra::Vector& y) const { return is_finite_ && y.layout(); }
+  Placed placed(const fem::Space& space, const algebra::Vector& y) const {
+    const fem::BodyPlace place = place_in(space, y);
+    return {place, is_finite_ ? fem::turned_body(space.bodies[body_], place) : space.bodies[body_]};
+  }
 
-  fem::BodyMotion motion(const fem::Space& space, const algebra::Vector& y) const {
-    const fem::PlacedBody& body = space.bodies[body_];
-    if (!is_finite_) return fem::fitted_motion(space, body, y);
-    const fem::BodyPlace place = fem::place_of(space, body, y);
-    return {place.displacement, geometry::rotation_vector(place.turn)};
+  fem::BodyMotion motion(const fem::Space& space, const Placed& at, const algebra::Vector& y) const {
+    if (!is_finite_) return fem::fitted_motion(space, at.body, y);
+    return {at.place.displacement, geometry::rotation_vector(at.place.turn)};
   }
 
   /// Returns the derivative of the energy by a rotation that follows theta.
@@ -87,11 +93,10 @@ class BodySpring final : public Term {
     return is_finite_ ? Vector3d(transposed_change(theta) * own) : own;
   }
 
-  /// Returns the second derivative of the energy by a rotation that follows that of the state.
-  Matrix3d couple_rate(const fem::Space& space, const algebra::Vector& state) const {
-    if (!is_moved(state) || of_rotation_.isZero(0)) return of_rotation_;
+  /// Returns the second derivative of the energy by a rotation that follows `turn`.
+  Matrix3d couple_rate(const Matrix3d& turn) const {
+    if (turn.isIdentity(0) || of_rotation_.isZero(0)) return of_rotation_;
     constexpr double step = 1e-5;
-    const Matrix3d turn = fem::place_of(space, space.bodies[body_], state).turn;
     Matrix3d rate;
     for (Eigen::Index k = 0; k < 3; ++k) {
       const auto after = [&](double angle) {

@@ -1,4 +1,4 @@
-// What carries the shell elastically (M32): a foundation under an area or along edges, or a spring at a point or on a rigid body. It
+// Elastic foundations and springs (M32): a foundation is under an area or along edges, a spring at a point or on a rigid body. It
 // resists the motion w = u + z r of the material at the height z with the forces -K w, and a shear layer resists the gradient of w . a_3
 // (Pasternak). With finite rotations, too, K and a_3 are those of the reference. A spring on a body resists its motion (d, theta) with
 // the force -K d and a couple of the energy 1/2 theta . K_r theta; with finite rotations theta is its rotation vector, shorter than pi.

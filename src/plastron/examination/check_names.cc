@@ -78,16 +78,13 @@ void check_probes(Examined& examined) {
   const mesh::CoarseMesh& mesh = *examined.space->coarse;
   const auto check = [&](const char* what, const std::string& name, const Eigen::Vector2d& at) {
     if (fem::locate(mesh, at)) return;
-    Eigen::Vector2d low = mesh.vertices.front(), high = low;
-    for (const Eigen::Vector2d& vertex : mesh.vertices) {
-      low = low.cwiseMin(vertex);
-      high = high.cwiseMax(vertex);
-    }
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& vertex : mesh.vertices) box.extend(vertex);
     examined.add(
         Severity::error,
         "the {} \"{}\" at ({:g}, {:g}) lies outside of the domain; the corners of its cells have x from {:g} to "
         "{:g} and y from {:g} to {:g}",
-        what, name, at[0], at[1], low[0], high[0], low[1], high[1]);
+        what, name, at[0], at[1], box.min()[0], box.max()[0], box.min()[1], box.max()[1]);
   };
   for (const energy::Foundation& spring : examined.problem.shell.foundations)
     if (spring.point) check("spring", spring.name, *spring.point);

@@ -22,7 +22,7 @@ MatrixXd eigenvectors(const MatrixXd& gram, double limit, bool are_above) {
   return are_above ? eigen.vectors.rightCols(gram.cols() - below) : eigen.vectors.leftCols(below);
 }
 
-/// What resists the motions of pieces.
+/// The stiffness that resists motions of pieces.
 class Resistance {
  public:
   Resistance(const RigidMotions& motions, const std::vector<ShellPart>& pieces,

@@ -31,19 +31,16 @@ using Members = std::map<GlobalIndex, BoundaryNode>;
 
 /// Returns the node that each constrained node equals; none for a hanging node with several masters (collective).
 std::map<GlobalIndex, std::optional<GlobalIndex>> equal_nodes(const Space& space) {
-  std::vector<double> packed;
+  const algebra::Layout& layout = *space.layout;
+  std::vector<std::pair<GlobalIndex, std::optional<GlobalIndex>>> mine;
   for (const constraints::Row& row : space.continuity.rows()) {
-    if (row.node >= space.layout->owned) continue;
-    packed.push_back(static_cast<double>(space.layout->global(row.node)));
-    packed.push_back(row.terms.size() == 1 ? static_cast<double>(space.layout->global(row.terms[0].node)) : -1);
+    if (row.node >= layout.owned) continue;
+    const bool is_equal = row.terms.size() == 1;
+    mine.emplace_back(layout.global(row.node),
+                      is_equal ? std::optional(layout.global(row.terms[0].node)) : std::nullopt);
   }
-  std::map<GlobalIndex, std::optional<GlobalIndex>> result;
-  const auto all = algebra::gathered(packed, space.layout->comm);
-  for (std::size_t i = 0; i < all.size(); i += 2) {
-    auto& other = result[static_cast<GlobalIndex>(all[i])];
-    if (all[i + 1] >= 0) other = static_cast<GlobalIndex>(all[i + 1]);
-  }
-  return result;
+  const auto all = algebra::gathered(mine, layout.comm);
+  return {all.begin(), all.end()};
 }
 
 Members members_of(const RigidBody& body, const Space& space, const Surface& surface,

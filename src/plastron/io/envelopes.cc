@@ -1,8 +1,8 @@
 #include <plastron/io/envelopes.hpp>
 
-#include <fmt/format.h>
-
 #include <plastron/algebra/vector.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -45,36 +45,6 @@ void widen_all(const std::string& load_case, const std::string& path, const Json
   }
 }
 
-}  // namespace
-
-Json envelopes_json(const Json& history, const Json& envelopes) {
-  Json list = Json::array();
-  for (const Json& envelope : envelopes) {
-    Json numbers = Json::object();
-    for (const Json& record : history)
-      if (std::ranges::find(envelope["cases"], record["step"]) != envelope["cases"].end())
-        widen_all(record["step"], "", record, numbers);
-    list.push_back({{"name", envelope["name"]}, {"cases", envelope["cases"]}, {"numbers", std::move(numbers)}});
-  }
-  return list;
-}
-
-GridPiece case_piece(const computation::Solution& solution, VtuChoice choice) {
-  constexpr std::array without_extremes{
-      "x",  "y",  "reference position", "lower face", "upper face", "N direction", "M direction", "t1",
-      "t2", "a3", "thickness",          "kappa_1",    "kappa_2"};
-  choice.displacement_scale = 0;
-  GridPiece piece = surface_piece(solution, choice);
-  piece.cell_arrays.clear();
-  std::erase_if(piece.point_arrays, [&](const GridArray& array) {
-    return std::ranges::find(without_extremes, array.name) != without_extremes.end() ||
-           std::ranges::any_of(solution.modes, [&](const auto& mode) { return mode.name() == array.name; });
-  });
-  return piece;
-}
-
-namespace {
-
 /// Returns the mesh with arrays for extreme values of the fields, which have none yet.
 GridPiece without_values(const GridPiece& fields) {
   GridPiece piece{.type = fields.type,
@@ -105,6 +75,32 @@ void widen(const std::vector<double>& fresh, double load_case, bool is_least, st
 }
 
 }  // namespace
+
+Json envelopes_json(const Json& history, const Json& envelopes) {
+  Json list = Json::array();
+  for (const Json& envelope : envelopes) {
+    Json numbers = Json::object();
+    for (const Json& record : history)
+      if (std::ranges::find(envelope["cases"], record["step"]) != envelope["cases"].end())
+        widen_all(record["step"], "", record, numbers);
+    list.push_back({{"name", envelope["name"]}, {"cases", envelope["cases"]}, {"numbers", std::move(numbers)}});
+  }
+  return list;
+}
+
+GridPiece case_piece(const computation::Solution& solution, VtuChoice choice) {
+  constexpr std::array without_extremes{
+      "x",  "y",  "reference position", "lower face", "upper face", "N direction", "M direction", "t1",
+      "t2", "a3", "thickness",          "kappa_1",    "kappa_2"};
+  choice.displacement_scale = 0;
+  GridPiece piece = surface_piece(solution, choice);
+  piece.cell_arrays.clear();
+  std::erase_if(piece.point_arrays, [&](const GridArray& array) {
+    return std::ranges::find(without_extremes, array.name) != without_extremes.end() ||
+           std::ranges::any_of(solution.modes, [&](const auto& mode) { return mode.name() == array.name; });
+  });
+  return piece;
+}
 
 void EnvelopeFields::add(const std::string& load_case, const GridPiece& fields, MPI_Comm comm) {
   const auto found = std::ranges::find(envelope_.cases, load_case);

@@ -4,12 +4,12 @@
 #include <plastron/io/bytes.hpp>
 #include <plastron/io/obstacle_surfaces.hpp>
 #include <plastron/mesh/reference_cell.hpp>
+#include <plastron/report/load_arrows.hpp>
 #include <plastron/report/report_scene.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace plastron::report {
@@ -314,82 +314,6 @@ Json supports_json(const assembly::DiscreteShell& discrete, const solution::Noda
                     {"displacements", io::base64_of_numbers(displacements)}});
   }
   return list;
-}
-
-/// A part of space with loads: their sum, and the loaded node next to its middle.
-struct LoadedPart {
-  std::array<std::int64_t, 3> number{};
-  std::array<double, 3> force{}, place{}, displacement{};
-  double distance = INFINITY;
-};
-using LoadedParts = std::map<std::array<std::int64_t, 3>, LoadedPart>;
-
-void add(const LoadedPart& more, LoadedParts& all) {
-  LoadedPart& part = all[more.number];
-  const std::array<double, 3> force = part.force;
-  if (more.distance < part.distance) part = more;
-  for (std::size_t d = 0; d < 3; ++d) part.force[d] = force[d] + more.force[d];
-}
-
-/// Returns the loaded parts among nine along the longest side of the box round the shell, at the factors of the state. Couples
-/// do not count (collective).
-LoadedParts loaded_parts(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
-  constexpr double along_longest = 9;
-  const MPI_Comm comm = discrete.space().layout->comm;
-  const auto owned = static_cast<std::size_t>(discrete.space().layout->owned);
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(INFINITY), high = -low;
-  for (std::size_t i = 0; i < owned; ++i) {
-    low = low.cwiseMin(discrete.points[i].phi);
-    high = high.cwiseMax(discrete.points[i].phi);
-  }
-  for (double& value : low) value = algebra::min_over_ranks(value, comm);
-  for (double& value : high) value = -algebra::min_over_ranks(-value, comm);
-  const double longest = (high - low).maxCoeff();
-  LoadedParts mine;
-  for (std::size_t i = 0; i < owned; ++i) {
-    const Eigen::Vector3d& phi = discrete.points[i].phi;
-    LoadedPart node{.distance = 0};
-    double size = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto axis = static_cast<Eigen::Index>(d);
-      for (const energy::LoadPart& load : discrete.loads)
-        node.force[d] += discrete.state.factors.load(load.factor) * load.forces.local()[6 * i + d];
-      size += std::abs(node.force[d]);
-      const double parts = std::max(1.0, std::round(along_longest * (high - low)[axis] / longest));
-      const double at = (phi - low)[axis] / std::max((high - low)[axis], 1e-12 * longest) * parts;
-      const double number = std::clamp(std::floor(at), 0.0, parts - 1);
-      node.number[d] = static_cast<std::int64_t>(number);
-      node.distance += std::pow(at - number - 0.5, 2);
-      node.place[d] = phi[axis];
-      node.displacement[d] = solution.y.local()[6 * i + d];
-    }
-    if (size > 0) add(node, mine);
-  }
-  std::vector<LoadedPart> list;
-  for (const auto& [number, part] : mine) list.push_back(part);
-  LoadedParts all;
-  for (const LoadedPart& part : algebra::gathered(list, comm)) add(part, all);
-  return all;
-}
-
-/// Returns places, displacements there, and directions of arrows that show the loads, without the weakest (collective).
-Json loads_json(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
-  constexpr double least = 0.02;  // of the largest
-  const auto vector = [](const std::array<double, 3>& values) { return Eigen::Vector3d(values.data()); };
-  const LoadedParts parts = loaded_parts(discrete, solution);
-  double largest = 0;
-  for (const auto& [number, part] : parts) largest = std::max(largest, vector(part.force).norm());
-  std::vector<float> places, displacements, directions;
-  for (const auto& [number, part] : parts) {
-    const double size = vector(part.force).norm();
-    if (!(size > least * largest)) continue;
-    append(vector(part.place), places);
-    append(vector(part.displacement), displacements);
-    append(vector(part.force) / size, directions);
-  }
-  return {{"places", io::base64_of_numbers(places)},
-          {"displacements", io::base64_of_numbers(displacements)},
-          {"directions", io::base64_of_numbers(directions)}};
 }
 
 std::vector<Field> fields_of_frames(const Ingredients& ingredients) {
