@@ -34,7 +34,8 @@ void add(const LoadedPart& more, LoadedParts& all) {
 
 /// Returns the loaded parts among nine along the longest side of the box round the shell, at the factors of the state. Couples
 /// do not count (collective).
-LoadedParts loaded_parts(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+LoadedParts loaded_parts(const computation::Solution& solution) {
+  const assembly::DiscreteShell& discrete = *solution.discrete;
   constexpr double along_longest = 9;
   const MPI_Comm comm = discrete.space().layout->comm;
   const auto owned = static_cast<std::size_t>(discrete.space().layout->owned);
@@ -59,7 +60,7 @@ LoadedParts loaded_parts(const assembly::DiscreteShell& discrete, const solution
       node.number[d] = static_cast<std::int64_t>(number);
       node.distance += std::pow(at - number - 0.5, 2);
       node.place[d] = phi[axis];
-      node.displacement[d] = solution.y.local()[6 * i + d];
+      node.displacement[d] = solution.nodal.y.local()[6 * i + d];
     }
     if (size > 0) add(node, mine);
   }
@@ -72,9 +73,9 @@ LoadedParts loaded_parts(const assembly::DiscreteShell& discrete, const solution
 
 }  // namespace
 
-io::Json loads_json(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution) {
+io::Json loads_json(const computation::Solution& solution) {
   constexpr double least = 0.02;  // of the largest
-  const LoadedParts parts = loaded_parts(discrete, solution);
+  const LoadedParts parts = loaded_parts(solution);
   const auto norm = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
   double largest = 0;
   for (const auto& [number, part] : parts) largest = std::max(largest, norm(part.force));

@@ -373,7 +373,7 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
   const SampledSurface surface =
       sampled_surface(solution, most_points, report_fields(io::ingredients_of(discrete)), solution.modes);
   const obstacle::Extent extent = io::surroundings(solution);
-  const Json supports = supports_json(discrete, solution.nodal), loads = loads_json(discrete, solution.nodal);
+  const Json supports = supports_json(discrete, solution.nodal), loads = loads_json(solution);
   return algebra::in_agreement(space.layout->comm, [&] {
     if (algebra::rank_in(space.layout->comm) != 0 || surface.rows.empty()) return Json(nullptr);
     const auto obstacles = io::drawn_obstacles(discrete.obstacles, extent);
