@@ -1,8 +1,7 @@
 #include <plastron/estimation/contact_edge.hpp>
 
 #include <plastron/assembly/box_problem.hpp>
-#include <plastron/element/element_tables.hpp>
-#include <plastron/geometry/frame.hpp>
+#include <plastron/estimation/cell_gaps.hpp>
 #include <plastron/mesh/basis.hpp>
 #include <plastron/mesh/reference_cell.hpp>
 #include <plastron/solution/contact_faces.hpp>
@@ -25,13 +24,6 @@ element::BasisAt between_nodes(const fem::Space& space, int direction) {
         points.push_back(xi);
       }
   return element::basis_at(space.shape(), space.degree, points);
-}
-
-/// Change of a gap by a field.
-double opening(const assembly::DiscreteShell& discrete, const obstacle::Gap& gap, const auto& row,
-               const Eigen::Vector3d& a3) {
-  const Eigen::Vector3d r = row.template tail<3>();
-  return gap.normal.dot(Eigen::Vector3d(row.template head<3>())) + gap.arm * gap.normal.dot(discrete.turning(r, a3));
 }
 
 /// Lifts of bounds at points of a cell, interpolated from the nodes on which the cell depends.
@@ -122,28 +114,6 @@ std::optional<double> ContactEdge::place_at_support(std::size_t cell, std::size_
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-std::vector<std::pair<double, obstacle::Gap>> ContactEdge::gaps(std::size_t cell, std::size_t obstacle,
-                                                                const element::BasisAt& at) const {
-  const assembly::DiscreteShell& discrete = solved_.discrete;
-  const energy::ShellOperator& shell = discrete.shell;
-  const fem::Space& space = discrete.space();
-  std::vector<geometry::Frame> frames(at.xi.size());
-  std::vector<double> e(frames.size());
-  shell.surface().frames(space.cells[cell], at.xi, frames, false);
-  shell.surface().evaluate(shell.section(cell).thickness, space.cells[cell], at.xi, e);
-  const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
-  const element::CellField moved = discrete.state_values(cell, at);
-  std::vector<std::pair<double, obstacle::Gap>> result;
-  for (std::size_t p = 0; p < frames.size(); ++p) {
-    const auto row = static_cast<Eigen::Index>(p);
-    const Eigen::Vector3d& a3 = frames[p].a3;
-    const obstacle::Gap gap =
-        discrete.gap(obstacle, discrete.shell_point(frames[p].phi, a3, e[p], moved.row(row).transpose()));
-    result.emplace_back(gap.initial + opening(discrete, gap, u.row(row), a3), gap);
-  }
-  return result;
-}
-
 std::vector<Eigen::Vector2d> ContactEdge::sharp_edges(std::size_t cell, std::size_t obstacle, std::size_t direction,
                                                       std::size_t i, std::size_t j) const {
   constexpr double least_cosine = 0.7;  // between normals of one side
@@ -160,7 +130,7 @@ std::vector<Eigen::Vector2d> ContactEdge::sharp_edges(std::size_t cell, std::siz
   };
   const auto is_on_other_side = [&](double along) {
     const element::BasisAt point = element::basis_at(space.shape(), space.degree, {place(along)});
-    return gaps(cell, obstacle, point).front().second.normal.dot(normal) < least_cosine;
+    return cell_gaps(solved_, cell, obstacle, point).rows.front().normal.dot(normal) < least_cosine;
   };
   const bool at_node = is_on_other_side(line[i]);
   std::vector<Eigen::Vector2d> edges;
@@ -232,8 +202,8 @@ double ContactEdge::reach_at(const AtSharpEdge& at, const Dual& dual) const {
         discrete.shell.interpolation().values(cell, points, discrete.shell.gather(cell, y));
     const assembly::Vector6 own = assembly::node_values(y, at.node);
     for (std::size_t p = 0; p < moved.size(); ++p)
-      moved[p] += opening(discrete, gap, field.row(static_cast<Eigen::Index>(p)), frames[p].a3) -
-                  opening(discrete, gap, own.transpose(), discrete.points[at.node].a3);
+      moved[p] += opening(discrete, gap, frames[p].a3, field.row(static_cast<Eigen::Index>(p)).transpose()) -
+                  opening(discrete, gap, discrete.points[at.node].a3, own);
   };
   add(dual.y);
   if (dual.derivative.weighs_gaps) add(solved_.nodal.y);
@@ -253,7 +223,7 @@ void ContactEdge::find_deepest() {
       const auto touches_it = [&](algebra::LocalIndex node) { return touches(static_cast<std::size_t>(node), k); };
       if (std::ranges::none_of(nodes, touches_it) || stands_on_rim(crossed_[c], k)) continue;
       const auto d = static_cast<std::size_t>(width_->direction_across(crossed_[c], k));
-      const auto found = gaps(crossed_[c], k, between_[d]);
+      const Eigen::VectorXd found = cell_gaps(solved_, crossed_[c], k, between_[d]).values;
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
@@ -261,11 +231,11 @@ void ContactEdge::find_deepest() {
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
-          const auto least = std::min_element(from, to, [](const auto& a, const auto& b) { return a.first < b.first; });
-          if (!(least->first < 0)) continue;
+          const auto least = std::min_element(from, to);
+          if (!(*least < 0)) continue;
           deepest_.push_back(
-              {c, k, node, d, least - found.begin(), least->first, 1, with_area.local()[node * obstacles + k] == 0});
-          depths.local()[node * obstacles + k] -= least->first;
+              {c, k, node, d, least - found.begin(), *least, 1, with_area.local()[node * obstacles + k] == 0});
+          depths.local()[node * obstacles + k] -= *least;
         }
     }
   depths.accumulate_ghosts();
@@ -296,13 +266,11 @@ std::vector<double> ContactEdge::line_shares(const Dual& dual) const {
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
     const element::BasisAt point = element::basis_at(mesh::Shape::quadrilateral, discrete.space().degree, {xi});
-    const obstacle::Gap gap = gaps(cell, at.obstacle, point).front().second;
-    const geometry::Frame frame = discrete.shell.surface().frame(discrete.space().cells[cell], xi, false);
-    const element::CellField z =
-        discrete.shell.interpolation().values(cell, point, discrete.shell.gather(cell, dual.y));
+    const CellGaps found = cell_gaps(solved_, cell, at.obstacle, point);
+    const obstacle::Gap& gap = found.rows.front();
     const double weight = at.part * discrete.points[at.node].side_weight;
     lines[at.crossed] += products(dual, at.obstacle, gap, weight * dual.mu[entry], weight * eta_[entry],
-                                  at.gap - gap.initial, opening(discrete, gap, z.row(0), frame.a3))
+                                  at.gap - gap.initial, openings(solved_, cell, found, point, dual.y)[0])
                              .larger();
   }
   for (const AtSharpEdge& at : at_sharp_edges_) {
@@ -391,21 +359,15 @@ double ContactEdge::share(std::size_t cell, std::size_t obstacle, const Dual& du
   }
   extend_to_held_nodes(cell, obstacle, densities);
   const Eigen::MatrixXd density = reaction_basis_ * densities;
-  std::vector<geometry::Frame> frames(at.xi.size());
-  shell.surface().frames(space.cells[cell], at.xi, frames, false);
-  const element::CellField u = shell.interpolation().values(cell, at, shell.gather(cell, solved_.nodal.y));
-  const element::CellField z = shell.interpolation().values(cell, at, shell.gather(cell, dual.y));
-  const element::CellField moved = discrete.state_values(cell, at);
+  const CellGaps gaps = cell_gaps(solved_, cell, obstacle, at);
+  const Eigen::VectorXd by_dual = openings(solved_, cell, gaps, at, dual.y);
   const Eigen::VectorXd lifts = interpolated_lifts(discrete, cell, obstacle, at);
   Products sum;
-  for (int q = 0; q < u.rows(); ++q) {
-    const energy::QuadraturePoint& p = shell.point(cell, q);
-    obstacle::Gap gap = discrete.gap(obstacle, discrete.shell_point(frames[static_cast<std::size_t>(q)].phi, p.frame.a3,
-                                                                    p.thickness, moved.row(q).transpose()));
+  for (int q = 0; q < lifts.size(); ++q) {
+    obstacle::Gap gap = gaps.rows[static_cast<std::size_t>(q)];
+    const double area = shell.point(cell, q).area, opened = gaps.values[q] - gap.initial;
     gap.initial -= lifts[q];  // LiftedBounds counts them
-    const Products here =
-        products(dual, obstacle, gap, p.area * density(q, 0), p.area * density(q, 1),
-                 opening(discrete, gap, u.row(q), p.frame.a3), opening(discrete, gap, z.row(q), p.frame.a3));
+    const Products here = products(dual, obstacle, gap, area * density(q, 0), area * density(q, 1), opened, by_dual[q]);
     sum.penetration += here.penetration;
     sum.reach += here.reach;
   }

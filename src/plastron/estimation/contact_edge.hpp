@@ -92,9 +92,6 @@ class ContactEdge {
   /// Whether all nodes of a cell touch or are held.
   bool reaches_support(std::size_t cell, std::size_t obstacle) const;
   std::optional<double> place_at_support(std::size_t cell, std::size_t obstacle, int across) const;
-  /// The shell's gaps at points of a cell, with their rows.
-  std::vector<std::pair<double, obstacle::Gap>> gaps(std::size_t cell, std::size_t obstacle,
-                                                     const element::BasisAt& at) const;
   Products products(const Dual& dual, std::size_t obstacle, const obstacle::Gap& gap, double mu, double eta,
                     double opened, double opened_by_dual) const;
   std::vector<double> line_shares(const Dual& dual) const;

@@ -1,6 +1,7 @@
 #include <plastron/estimation/estimate.hpp>
 
 #include <plastron/algebra/gathered.hpp>
+#include <plastron/estimation/bed_quadrature.hpp>
 #include <plastron/estimation/contact_edge.hpp>
 #include <plastron/estimation/lifted_bounds.hpp>
 #include <plastron/estimation/strain_errors.hpp>
@@ -69,6 +70,7 @@ class GoalEstimator {
         strain_errors_(strain_errors),
         edge_(edge),
         lifted_(solved),
+        bed_(solved),
         has_strain_errors_(edge.crossed().size(), 0),
         duals_(solved.box, solved.z, preconditioner) {}
 
@@ -119,6 +121,7 @@ class GoalEstimator {
     result.dual_energy = solved_.discrete.motion_energies(y).total();
     const AllErrors dual = strain_errors_.of_motion(y);
     add_dual_shares(solved_.discrete.shell, primal_, dual, result.cells);
+    bed_.add_shares(d, z, y, result.cells);
     result.free_edges += twist_product(primal_, dual);
     return edge_.shares(d, z, y);
   }
@@ -164,6 +167,7 @@ class GoalEstimator {
   const StrainRecovery& strain_errors_;
   const ContactEdge& edge_;
   LiftedBounds lifted_;
+  BedQuadrature bed_;
   std::vector<char> has_strain_errors_;
   DualSolver duals_;
 };
