@@ -139,6 +139,7 @@ TEST(Output, of_an_envelope_over_different_meshes_has_no_fields) {
     entry.step = name;
     output.add_instant(entry, *result.solution);
   }
+  EXPECT_THAT(output.warnings(), testing::ElementsAre(testing::HasSubstr("the meshes of its load cases differ")));
   EXPECT_THAT(output.finish(result, {}), testing::Not(testing::Contains("envelope-both.vtu")));
 }
 

@@ -5,6 +5,8 @@
 #include <plastron/estimation/cell_gaps.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace plastron::estimation {
 
@@ -59,9 +61,12 @@ BedQuadrature::BedQuadrature(const Solved& solved) : solved_(solved) {
     const PressureForces forces(solved, cell, obstacle_);
     const CellGaps gaps = cell_gaps(solved, cell, obstacle_, discrete.shell.tables().quadrature);
     if (pressed.nodal.empty() && gaps.values.minCoeff() >= 0) continue;
-    pressed.forces = has_kink(cell, gaps.values) ? element::Subdivision<element::CellPart, PressureForces>(
-                                                       discrete.space().shape(), forces)(halvings)
-                                                 : forces(element::CellPart{});
+    pressed.has_kink = has_kink(cell, gaps.values);
+    if (pressed.has_kink)
+      pressed.forces =
+          element::Subdivision<element::CellPart, PressureForces>(discrete.space().shape(), forces)(halvings);
+    else
+      pressed.forces = forces(element::CellPart{});
     pressed.resultant = pressed.forces.leftCols<3>().colwise().sum().transpose();
     for (const NodalForce& force : pressed.nodal)
       pressed.resultant -= force.size * discrete.coordinates.gaps[obstacle_][force.node].normal;
@@ -102,16 +107,17 @@ bool BedQuadrature::has_kink(std::size_t cell, const Eigen::VectorXd& gaps) cons
          });
 }
 
-void BedQuadrature::add_shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y,
-                               std::vector<double>& cells) const {
-  if (cells_.empty()) return;
+double BedQuadrature::add_shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y,
+                                 std::vector<double>& cells) const {
   const assembly::DiscreteShell& discrete = solved_.discrete;
+  if (!discrete.obstacles.on_bed()) return 0;
   // B z - w of a point is its opening by z and n . `away`.
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
   if (!derivative.obstacle || *derivative.obstacle == obstacle_) away = derivative.force_direction;
   const std::vector<std::size_t> pressing = assembly::pressed_obstacles(discrete);
   for (std::size_t k = 0; k < pressing.size(); ++k)
     if (pressing[k] == obstacle_) away -= dual.positions.at(k) * discrete.obstacles.all[obstacle_].force.normalized();
+  double squares = 0;
   for (const Pressed& pressed : cells_) {
     double exact_less_nodal =
         pressed.forces.cwiseProduct(discrete.shell.gather(pressed.cell, y)).sum() + away.dot(pressed.resultant);
@@ -119,7 +125,9 @@ void BedQuadrature::add_shares(const Derivative& derivative, const DualSolution&
       exact_less_nodal -= force.size * opening(discrete, discrete.coordinates.gaps[obstacle_][force.node],
                                                discrete.points[force.node].a3, assembly::node_values(y, force.node));
     cells[pressed.cell] -= exact_less_nodal;
+    if (pressed.has_kink) squares += exact_less_nodal * exact_less_nodal;
   }
+  return std::sqrt(algebra::sum_over_ranks(squares, discrete.space().layout->comm));
 }
 
 }  // namespace plastron::estimation

@@ -14,9 +14,10 @@ class BedQuadrature {
   /// Integrates the pressure over the cells (collective).
   explicit BedQuadrature(const Solved& solved);
 
-  /// Adds the shares of owned cells. `y`: the Cartesian values of the dual, with ghosts.
-  void add_shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y,
-                  std::vector<double>& cells) const;
+  /// Adds the shares of owned cells and returns the root of the sum of squares of those with a kink (collective): the kink's place is
+  /// that of the approximate shell, so they may err by their size. `y`: the Cartesian values of the dual, with ghosts.
+  double add_shares(const Derivative& derivative, const DualSolution& dual, const algebra::Vector& y,
+                    std::vector<double>& cells) const;
 
  private:
   struct NodalForce {
@@ -25,6 +26,7 @@ class BedQuadrature {
   };
   struct Pressed {
     std::size_t cell = 0;
+    bool has_kink = false;
     element::CellField forces{};                          ///< of the pressure on the cell's nodes, along (u, r)
     std::vector<NodalForce> nodal{};                      ///< of the quadrature at nodes
     Eigen::Vector3d resultant = Eigen::Vector3d::Zero();  ///< of `forces` less that of `nodal` [N]

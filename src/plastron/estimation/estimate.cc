@@ -121,7 +121,7 @@ class GoalEstimator {
     result.dual_energy = solved_.discrete.motion_energies(y).total();
     const AllErrors dual = strain_errors_.of_motion(y);
     add_dual_shares(solved_.discrete.shell, primal_, dual, result.cells);
-    bed_.add_shares(d, z, y, result.cells);
+    result.contact_edge += bed_.add_shares(d, z, y, result.cells);
     result.free_edges += twist_product(primal_, dual);
     return edge_.shares(d, z, y);
   }
@@ -158,7 +158,7 @@ class GoalEstimator {
       lines[edge_.touching_nodes()[i]] += at_edge.lines[i];
     }
     result.estimate = over_ranks(smooth, space.layout->comm);
-    result.contact_edge = root_of_squares(edge, space.layout->comm);
+    result.contact_edge += root_of_squares(edge, space.layout->comm);
     result.contact_line = root_of_squares(lines, space.layout->comm);
   }
 

@@ -15,7 +15,7 @@ struct GoalEstimate {
   double value = 0;
   double estimate = 0;  ///< signed estimate of the exact value minus `value`, as far as its sign is known
   /// Possible contribution of the contact zone's edge, of either sign, >= 0: its place in the cells that it crosses
-  /// is unknown.
+  /// is unknown. On a bed that of the kinks of its pressure.
   double contact_edge = 0;
   /// Part of `contact_edge` for true lines of contact beside rows of touching nodes. A higher degree with the same
   /// rows does not reveal it.

@@ -27,6 +27,9 @@ class EnvelopeFields {
   void add(const std::string& load_case, const GridPiece& fields, MPI_Comm comm);
   /// Whether all cases were added, on one mesh.
   bool is_complete() const { return added_ == envelope_.cases.size() && has_one_mesh_; }
+  /// Whether cases were added on different meshes, so that there are no fields.
+  bool has_several_meshes() const { return !has_one_mesh_; }
+  const std::string& name() const { return envelope_.name; }
   /// Returns, for each field, arrays NAME_least, NAME_least_case, NAME_largest, NAME_largest_case. Cases are places in the list of the
   /// envelope, from 0, and -1 where the field has no value.
   const GridPiece& piece() const { return piece_; }

@@ -92,6 +92,18 @@ void Output::add_instant(const computation::HistoryEntry& entry, const computati
   if (with_report_) frames_.add(entry, solution);
 }
 
+std::vector<std::string> Output::warnings() const {
+  std::vector<std::string> texts;
+  for (const io::EnvelopeFields& envelope : envelopes_)
+    if (envelope.has_several_meshes())
+      texts.push_back(
+          fmt::format("the envelope \"{}\" has numbers and no fields, because the meshes of its load cases differ; for "
+                      "the file {} remove "
+                      "[accuracy] and give one mesh in [mesh]",
+                      envelope.name(), envelope.file_name()));
+  return texts;
+}
+
 /// Adds the shell and the obstacles, as parts of the time series if requested.
 void Output::add_fields(const computation::Solution& solution, double time, const std::string& suffix,
                         bool is_in_series) {

@@ -25,6 +25,8 @@ class Output {
 
   /// Adds the fields of an instant of the steps (computation::Observer::instant).
   void add_instant(const computation::HistoryEntry& entry, const computation::Solution& solution);
+  /// Returns texts on files that were asked for and cannot be written.
+  std::vector<std::string> warnings() const;
   /// Adds all files, then gives them their names. The solution is written as .vtu and .plastron, if a finite one
   /// exists. With contact there are contact-boundary.csv, .vtu and contact-forces.csv (without contact, earlier ones
   /// are removed). With steps there are history.csv and history.svg. base.case.toml is written if provenance has

@@ -14,6 +14,10 @@ computation::Result solve(const config::Case& c, const std::vector<examination::
     if (told) told(entry, solution);
   };
   computation::Result result = computation::solve(c.problem, comm, observer);
+  for (const std::string& text : files.warnings()) {
+    if (observer.warning) observer.warning(text);
+    result.warnings.push_back(text);
+  }
   for (const examination::Finding& finding : findings)
     if (finding.severity == examination::Severity::warning && std::ranges::count(result.warnings, finding.text) == 0)
       result.warnings.push_back(finding.text);

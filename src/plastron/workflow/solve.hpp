@@ -13,7 +13,7 @@
 namespace plastron::workflow {
 
 /// Solves the case as computation::solve() does. Instants of steps are added to `files`, before the observer learns of
-/// them. The result has the warnings of the examination, too (collective).
+/// them. The result has the warnings of the examination and of `files`, too (collective).
 computation::Result solve(const config::Case& c, const std::vector<examination::Finding>& findings, Output& files,
                           MPI_Comm comm, computation::Observer observer);
 
