@@ -417,7 +417,7 @@ TEST(Bed, ThatGrowsStiffIsRigid) {
 struct LiftedStrip {
   std::string bed, rotations = "small", cells = "quadrilateral";
   bool is_turned = false;
-  int degree = 6, refinements = 4;
+  int degree = 6, refinements = 3;
   double unit = 1;  ///< of lengths
 
   computation::Result solve() const {
@@ -452,7 +452,7 @@ half_space = {{ point = [0, 0, {table}] }}
 {bed}
 )case",
         fmt::arg("E", 2e11 / (unit * unit)), fmt::arg("e", 0.03 * unit), fmt::arg("rotations", rotations),
-        fmt::arg("to", xy(fmt::to_string(unit), fmt::to_string(unit / 4))), fmt::arg("cells", xy("4", "1")),
+        fmt::arg("to", xy(fmt::to_string(unit), fmt::to_string(unit / 8))), fmt::arg("cells", xy("8", "1")),
         fmt::arg("shape", cells), fmt::arg("degree", degree), fmt::arg("refinements", refinements),
         fmt::arg("begin", is_turned ? "bottom" : "left"), fmt::arg("x", is_turned ? "y" : "x"),
         fmt::arg("y", is_turned ? "x" : "y"),
@@ -473,8 +473,8 @@ TEST(Estimates, ContainTheQuadratureOfABedAtItsKinks) {
     double before = 0, after = 0;
     for (const bool is_turned : {false, true})
       for (const auto& [cells, degree, refinements] :
-           {std::tuple("quadrilateral", 2, 2), std::tuple("quadrilateral", 3, 1), std::tuple("quadrilateral", 4, 1),
-            std::tuple("quadrilateral", 5, 1), std::tuple("quadrilateral", 6, 0), std::tuple("triangle", 2, 2)}) {
+           {std::tuple("quadrilateral", 2, 1), std::tuple("quadrilateral", 3, 0), std::tuple("quadrilateral", 4, 0),
+            std::tuple("quadrilateral", 5, 0), std::tuple("quadrilateral", 6, 0), std::tuple("triangle", 2, 1)}) {
         const auto result = LiftedStrip{bed, rotations, cells, is_turned, degree, refinements, unit}.solve();
         const auto which = fmt::format("{} {} {} degree {} unit {}", bed, rotations, cells, degree, unit);
         ASSERT_EQ(result.status, contact::Status::solved) << which << result.missed_limits;

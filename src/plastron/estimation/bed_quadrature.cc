@@ -124,7 +124,7 @@ double BedQuadrature::add_shares(const Derivative& derivative, const DualSolutio
     for (const NodalForce& force : pressed.nodal)
       exact_less_nodal -= force.size * opening(discrete, discrete.coordinates.gaps[obstacle_][force.node],
                                                discrete.points[force.node].a3, assembly::node_values(y, force.node));
-    cells[pressed.cell] -= exact_less_nodal;
+    cells[pressed.cell] += exact_less_nodal;
     if (pressed.has_kink) squares += exact_less_nodal * exact_less_nodal;
   }
   return std::sqrt(algebra::sum_over_ranks(squares, discrete.space().layout->comm));

@@ -1,5 +1,5 @@
 // Contribution of the quadrature at nodes (M21) of the pressure of a bed (M33) to the error of a functional:
-//   J(u) - J(u_h) contains  sum_i a_i p_i (B z - w)_i - int p(s_h) (B z - w) dS,
+//   J(u) - J(u_h) contains  int p(s_h) (B z - w) dS - sum_i a_i p_i (B z - w)_i,
 // z the dual, w the values at which it is fixed, s_h the closure of the approximate shell. Pressures have kinks where the zone ends and
 // at the points of a table; a cell that has one is integrated on small parts.
 #pragma once
