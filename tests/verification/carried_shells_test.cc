@@ -417,7 +417,7 @@ TEST(Bed, ThatGrowsStiffIsRigid) {
 struct LiftedStrip {
   std::string bed, rotations = "small", cells = "quadrilateral";
   bool is_turned = false;
-  int degree = 6, refinements = 3;
+  int degree = 6, refinements = 2;
   double unit = 1;  ///< of lengths
 
   computation::Result solve() const {
