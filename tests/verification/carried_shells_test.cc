@@ -471,24 +471,25 @@ TEST(Estimates, ContainTheQuadratureOfABedAtItsKinks) {
         std::tuple(stiffening.text(1e-3, 1), "finite", 1e-3)}) {
     const double exact = LiftedStrip{.bed = bed, .rotations = rotations, .unit = unit}.solve().summary.energy.total();
     double before = 0, after = 0;
-    for (const bool is_turned : {false, true})
-      for (const auto& [cells, degree, refinements] :
-           {std::tuple("quadrilateral", 2, 1), std::tuple("quadrilateral", 3, 0), std::tuple("quadrilateral", 4, 0),
-            std::tuple("quadrilateral", 5, 0), std::tuple("quadrilateral", 6, 0), std::tuple("triangle", 2, 1)}) {
-        const auto result = LiftedStrip{bed, rotations, cells, is_turned, degree, refinements, unit}.solve();
-        const auto which = fmt::format("{} {} {} degree {} unit {}", bed, rotations, cells, degree, unit);
-        ASSERT_EQ(result.status, contact::Status::solved) << which << result.missed_limits;
-        const auto& goals = result.estimates.value().goals;
-        const auto& energy = *std::ranges::find(goals, "energy", &estimation::GoalEstimate::name);
-        const double error = exact - energy.value;
-        EXPECT_GT(energy.error(), 0.5 * std::abs(error)) << which << " error " << error / exact;
-        EXPECT_LT(energy.error(), 5 * std::abs(error) + 1e-4 * exact) << which << " error " << error / exact;
-        before += std::abs(error / exact);
-        after += std::abs((error - energy.difference()) / exact);
-        // Balance alone decides the force of the bed.
-        const auto& force = *std::ranges::find(goals, "reaction", &estimation::GoalEstimate::name);
-        EXPECT_LT(force.error(), 1e-8 * force.value) << which;
-      }
+    bool is_turned = false;
+    for (const auto& [cells, degree, refinements] :
+         {std::tuple("quadrilateral", 2, 1), std::tuple("quadrilateral", 3, 0), std::tuple("quadrilateral", 4, 0),
+          std::tuple("quadrilateral", 5, 0), std::tuple("quadrilateral", 6, 0), std::tuple("triangle", 2, 1)}) {
+      is_turned = !is_turned;
+      const auto result = LiftedStrip{bed, rotations, cells, is_turned, degree, refinements, unit}.solve();
+      const auto which = fmt::format("{} {} {} degree {} unit {}", bed, rotations, cells, degree, unit);
+      ASSERT_EQ(result.status, contact::Status::solved) << which << result.missed_limits;
+      const auto& goals = result.estimates.value().goals;
+      const auto& energy = *std::ranges::find(goals, "energy", &estimation::GoalEstimate::name);
+      const double error = exact - energy.value;
+      EXPECT_GT(energy.error(), 0.5 * std::abs(error)) << which << " error " << error / exact;
+      EXPECT_LT(energy.error(), 5 * std::abs(error) + 1e-4 * exact) << which << " error " << error / exact;
+      before += std::abs(error / exact);
+      after += std::abs((error - energy.difference()) / exact);
+      // Balance alone decides the force of the bed.
+      const auto& force = *std::ranges::find(goals, "reaction", &estimation::GoalEstimate::name);
+      EXPECT_LT(force.error(), 1e-8 * force.value) << which;
+    }
     EXPECT_LT(after, before / 3) << bed << rotations;
   }
 }

@@ -1,6 +1,7 @@
 // Gaps between the shell and an obstacle at points of a cell, and their changes by motions.
 #pragma once
 #include <plastron/estimation/derivatives.hpp>
+#include <plastron/geometry/frame.hpp>
 
 #include <Eigen/Core>
 #include <cstddef>
