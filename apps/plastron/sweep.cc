@@ -14,10 +14,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <utility>
 
 namespace plastron::app {
 
@@ -105,10 +109,14 @@ io::Json results_of(const Member& member) { return io::finished_results(member.f
 volatile sig_atomic_t was_interrupted = 0;
 extern "C" void note_end(int) { was_interrupted = 1; }
 
-/// Starts the solver for a member, and returns its process.
-pid_t start(const Member& member, const SweepOptions& options, const fs::path& program) {
+/// A file without a name, for what the solver of a member tells.
+using Messages = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Starts the solver for a member, with its warnings and errors into `messages`, and returns its process.
+pid_t start(const Member& member, const SweepOptions& options, const fs::path& program, const Messages& messages) {
   const pid_t child = fork();
   if (child != 0) return child;
+  if (messages) dup2(fileno(messages.get()), STDERR_FILENO);
   std::vector<std::string> words{
       program.string(), "run", options.case_file.string(), "--output", member.folder.string(), "--quiet",
       "--threads",      "1"};
@@ -122,30 +130,47 @@ pid_t start(const Member& member, const SweepOptions& options, const fs::path& p
   _exit(internal_error);
 }
 
+/// Prints the messages of a member, if there are any, below its folder and values.
+void print_messages(const Member& member, const Messages& messages) {
+  if (!messages) return;
+  std::rewind(messages.get());
+  std::string text;
+  std::array<char, 4096> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), messages.get()))
+    text.append(part.data(), size);
+  if (!text.empty())
+    fmt::print(stderr, "{} ({}):\n{}", member.folder.string(), fmt::join(member.settings, ", "), text);
+}
+
 /// Solves members, `options.jobs` at a time. Returns false after an interruption.
 bool solve_all(const std::vector<Member*>& members, const SweepOptions& options, const fs::path& program) {
   struct sigaction action {};
   action.sa_handler = note_end;
   for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
-  std::map<pid_t, Member*> running;
+  std::map<pid_t, std::pair<Member*, Messages>> running;
   std::size_t next = 0, done = 0;
   while (!running.empty() || (next < members.size() && was_interrupted == 0)) {
     if (next < members.size() && was_interrupted == 0 && running.size() < static_cast<std::size_t>(options.jobs)) {
-      const pid_t child = start(*members[next], options, program);
+      Messages messages(std::tmpfile(), std::fclose);
+      const pid_t child = start(*members[next], options, program, messages);
       if (child < 0) return false;
-      running[child] = members[next++];
+      running.emplace(child, std::pair(members[next++], std::move(messages)));
       continue;
     }
     int state = 0;
     const pid_t child = waitpid(-1, &state, 0);
     if (child < 0 && errno != EINTR) break;
     if (child < 0) continue;
-    Member& member = *running[child];
+    const auto ended = running.extract(child);
+    if (ended.empty()) continue;
+    const auto& [of_child, messages] = ended.mapped();
+    Member& member = *of_child;
     member.is_refused = WIFEXITED(state) && WEXITSTATUS(state) == bad_input;
     if (!options.quiet)
       app::print("{:>5} of {}  {}  {}\n", ++done, members.size(), member.folder.string(),
                  fmt::format("{}", fmt::join(member.settings, "  ")));
-    running.erase(child);
+    std::fflush(stdout);
+    print_messages(member, messages);
   }
   return was_interrupted == 0;
 }

@@ -265,10 +265,15 @@ class Result(Record):
             raise PointError(str(error)) from None
 
     def along(self, start: Any, end: Any, points: int = 101, heights: Iterable[float] = ()) -> Values:
-        """Returns all fields at equidistant points between two points, as ``at()`` does."""
+        """Returns all fields at equidistant points between two points, as ``at()`` does, and ``s``, the distance from the first one
+        along the undeformed mid-surface, measured by chords."""
         start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
         t = np.linspace(0, 1, points)[:, None]
-        return self.at((1 - t) * start + t * end, heights)
+        values = self.at((1 - t) * start + t * end, heights)
+        chords = np.linalg.norm(np.diff(values["reference position"], axis=0), axis=1)
+        values["s"] = np.concatenate([[0.0], np.cumsum(chords)])
+        values.units["s"] = values.units["reference position"]
+        return values
 
     def row(self) -> dict[str, Any]:
         """Returns all numbers as a flat dictionary, with the column names of history.csv."""

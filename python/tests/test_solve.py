@@ -478,6 +478,9 @@ class TestValues:
         at = result.at([[0, 0.25], [0.25, 0.25], [0.5, 0.25], [0.75, 0.25], [1, 0.25]])
         for name in at:
             np.testing.assert_array_equal(along[name], at[name])
+        places = at["reference position"]
+        np.testing.assert_allclose(along["s"], np.cumsum([0, *np.linalg.norm(places[1:] - places[:-1], axis=1)]), rtol=1e-12)
+        assert along.units["s"] == along.units["reference position"] and "s" not in at
         assert len(result.along([0, 0.25], [1, 0.25])["u"]) == 101
         assert any("0.25" in name for name in result.along([0, 0.25], [1, 0.25], 3, heights=[0.25]))
 

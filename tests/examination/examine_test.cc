@@ -79,6 +79,35 @@ TEST(Obstacles, that_are_round_and_leave_no_room_are_a_warning) {
   EXPECT_THAT(warnings(p), testing::Contains(AllOf(HasSubstr("\"lid\""), HasSubstr("0.09 m"))));
 }
 
+/// A steel plate with E and density in the units of the case, times factors of a mistake.
+problem::Problem steel_plate(const problem::UnitNames& units, double modulus_factor, double density_factor) {
+  problem::Problem p = test::free_plate();
+  for (const char* side : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(test::clamped(side));
+  p.output.units = units;
+  p.shell.sections.common.material =
+      shell::Material::from_young_poisson(modulus_factor * 2.1e11 / units.in_SI(1, -2).value_or(1), 0.3, 1);
+  p.shell.sections.common.density = density_factor * 7850 / units.in_SI(1, -4).value_or(1);
+  p.shell.loads.gravity = {0, 0, -9.81};
+  return p;
+}
+
+TEST(Materials, are_compared_with_real_ones_in_the_units_of_the_case) {
+  const auto in = [](const char* length, const char* force) { return problem::UnitNames{length, force, true}; };
+  for (const problem::UnitNames& units : {in("m", "N"), in("mm", "N"), in("m", "kN"), in("mm", "kN"), in("in", "lbf"),
+                                          in("cm", "daN"), in("um", "mN"), in("ft", "kip")}) {
+    EXPECT_THAT(warnings(steel_plate(units, 1, 1)), IsEmpty()) << units.length << units.force;
+    for (const double factor : {1e-6, 1e6}) {
+      const auto word = factor < 1 ? "below" : "above";
+      EXPECT_THAT(warnings(steel_plate(units, factor, 1)),
+                  ElementsAre(AllOf(HasSubstr("modulus of elasticity"), HasSubstr(word), HasSubstr(units.length))));
+      EXPECT_THAT(warnings(steel_plate(units, 1, factor)), ElementsAre(AllOf(HasSubstr("density"), HasSubstr(word))));
+    }
+  }
+  // Without units, numbers without units, or in unknown ones, mean nothing.
+  for (const problem::UnitNames& units : {problem::UnitNames{}, in("furlong", "N")})
+    EXPECT_THAT(warnings(steel_plate(units, 1e-6, 1e6)), IsEmpty());
+}
+
 TEST(Weight, that_nothing_pulls_at_is_told_unless_the_shell_shall_vibrate) {
   problem::Problem p = cantilever_plate();
   p.shell.sections.common.density = 7850;

@@ -99,14 +99,15 @@ std::vector<std::string> errors_of_symmetry(const Sector& sector, double offset)
 TEST(MeshFile, IsTakenForOneInMillimetresOnlyWhereTheCaseNamesNoUnit) {
   for (const double scale : {1.0, 1e3})
     for (const problem::UnitNames& units :
-         {problem::UnitNames{}, problem::UnitNames{"mm", "N"}, problem::UnitNames{"in", "lbf"}}) {
+         {problem::UnitNames{}, problem::UnitNames{"m", "N", true}, problem::UnitNames{"mm", "N", true},
+          problem::UnitNames{"in", "lbf", true}}) {
       const auto found = on_file({}, 0, [&](problem::Problem& p) {
         std::get<domain::MeshFile>(p.domain).in_space->scale = scale;
         p.output.units = units;
         return warnings(p);
       });
       EXPECT_EQ(testing::Value(found, testing::Contains(HasSubstr("if the file is in millimetres"))),
-                scale == 1e3 && !units.are_named())
+                scale == 1e3 && !units.are_stated)
           << scale << units.label("m");
     }
 }

@@ -2,6 +2,7 @@
 
 #include <plastron/algebra/gathered.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/computation/relinearisation.hpp>
 #include <plastron/computation/resources.hpp>
 #include <plastron/estimation/goal_record.hpp>
 #include <plastron/fem/surface.hpp>
@@ -114,6 +115,9 @@ std::string AccuracyLoop::limit_of_meshes(const Level& level, std::int64_t added
   if (std::string limit = unsettled(constants.unlimited_changes, constants.unlimited_decay); !limit.empty())
     return limit;
   if (std::string limit = stalled(); !limit.empty()) return limit;
+  if (level.status == contact::Status::gap_not_met && level.max_rotation > meaningless_rotation)
+    return fmt::format("the linear model turns the shell by {:.2g} rad; correct E, the loads or their units",
+                       level.max_rotation);
   if (added == 0) return "the cells to divide are as small as can be";
   const bool is_unseen = missed_.empty() && space.shape() == mesh::Shape::quadrilateral;  // witness is missing
   double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);

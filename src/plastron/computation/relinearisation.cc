@@ -199,10 +199,12 @@ std::optional<assembly::State> Relinearisation::next(const solution::NodalSoluti
   constexpr std::size_t most_iterates = 5;
   constexpr int most_farther = 3;
   constexpr double least_part = 0.0625;
+  constexpr int steps_to_come_near = 10;
   if (discrete_.obstacles.are_linear || !has_rows_to_meet(discrete_)) return {};
   const Nearness near = nearness(settings_, discrete_, solution);
   is_met_ = near.is_met();
   if (is_met_ || steps_ >= settings_.max_steps) return {};
+  if (steps_ >= steps_to_come_near && solution::largest_rotation(solution.y) > meaningless_rotation) return {};
   const bool is_nearer = steps_ == 1 || near.distance < last_;
   part_ = is_nearer ? std::min(1.0, 2 * part_) : std::max(least_part, part_ / 2);
   farther_ = is_nearer ? 0 : farther_ + 1;

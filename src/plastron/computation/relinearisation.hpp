@@ -13,6 +13,9 @@
 
 namespace plastron::computation {
 
+/// Rotation beyond which a solution of the linear model is no state of a shell, and no gap of a curved obstacle means anything [rad].
+constexpr double meaningless_rotation = 10;
+
 /// Difference between the linearised gaps and the distances of the deformed faces (collective).
 struct GapError {
   double at_contact = 0;  ///< largest |distance - gap| of the faces that touch [m]

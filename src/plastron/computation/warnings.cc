@@ -335,6 +335,24 @@ void body_warnings(const solution::Summary& summary, std::vector<std::string>& w
           body.name, -body.least_gap));
 }
 
+/// Obstacles that the shell touches at no instant.
+void idle_warnings(const Result& result, std::vector<std::string>& warnings) {
+  const auto touches = [](const HistoryEntry& instant) { return instant.summary.touching_nodes > 0; };
+  const std::vector<solution::ObstacleContact>& obstacles = result.summary.obstacles;
+  if (result.status != contact::Status::solved || obstacles.empty() || result.summary.touching_nodes > 0 ||
+      std::ranges::any_of(result.history, touches))
+    return;
+  const auto nearest = std::ranges::min_element(obstacles, {}, &solution::ObstacleContact::least_gap);
+  const std::string gap = std::isfinite(nearest->least_gap)
+                              ? fmt::format("the smallest gap is {:.3g} m at {}{}", nearest->least_gap,
+                                            nearest->least_gap_place, result.history.empty() ? "" : " in the end")
+                              : "none is near";
+  warnings.push_back(
+      fmt::format("the shell touches no obstacle: {}; check the signs and sizes of the loads, and on which side of the "
+                  "shell the obstacle lies",
+                  gap));
+}
+
 /// Penetration between nodes, lifts that change much of the energy, reactions concentrated on edges, and tolerances that
 /// rounding has loosened.
 void contact_warnings(const Result& result, const contact::Settings& asked, std::vector<std::string>& warnings) {
@@ -448,6 +466,7 @@ std::vector<std::string> state_warnings(const problem::Problem& problem, const R
   control_warnings(result, warnings);
   stability_warnings(result, warnings);
   geometry_warnings(result, warnings);
+  idle_warnings(result, warnings);
   contact_warnings(result, problem.contact, warnings);
   sideways_warnings(result.summary, warnings);
   body_warnings(result.summary, warnings);

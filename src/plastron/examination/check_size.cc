@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace plastron::examination {
 
@@ -35,6 +37,39 @@ void check_soft_layers(Examined& examined) {
       "faces is "
       "missing; use a stiffer core, or a solid or layerwise program",
       worst, 2 * examined.size);
+}
+
+void check_materials(Examined& examined) {
+  const problem::UnitNames& units = examined.problem.output.units;
+  if (!units.are_stated) return;
+  struct Range {
+    const char *what, *below, *above;
+    double least, most, steel;  // SI
+    std::optional<double> unit;
+    std::string unit_name;
+  };
+  // 4e5 Pa is above all metals in MPa. A mass is force s^2 / length.
+  const Range moduli{"modulus of elasticity", "below rubber's",    "above diamond's", 4e5, 2e12,
+                     2.1e11,                  units.in_SI(1, -2), units.label("Pa")};
+  const Range densities{"density", "below a foam's",    "above any metal's", 1, 3e4,
+                        7850,      units.in_SI(1, -4), units.label("N") + " s^2/" + units.label("m") + "^4"};
+  const auto check = [&](const Range& range, double value, const std::string& place) {
+    const double in_SI = value * range.unit.value_or(0);
+    if (!range.unit || value == 0 || (in_SI >= range.least && in_SI <= range.most)) return;
+    examined.add(Severity::warning,
+                 "{}the {} {:.4g} {} is {}: with length = \"{}\" and force = \"{}\" in [units], steel has {:.3g} {}; "
+                 "correct the value or the units",
+                 place, range.what, value, range.unit_name, in_SI < range.least ? range.below : range.above,
+                 units.length, units.force, range.steel / *range.unit, range.unit_name);
+  };
+  const auto check_section = [&](const energy::CrossSection& section, const std::string& place) {
+    check(moduli, section.material.young(), place);
+    check(densities, section.density, place);
+  };
+  const energy::CrossSections& sections = examined.problem.shell.sections;
+  const auto has_own = [&](const std::string& name) { return sections.regions.contains(name); };
+  if (!std::ranges::all_of(examined.space->coarse->regions, has_own)) check_section(sections.common, "");
+  for (const auto& [name, section] : sections.regions) check_section(section, fmt::format("in \"{}\" ", name));
 }
 
 void check_weight(Examined& examined) {

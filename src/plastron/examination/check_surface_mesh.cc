@@ -218,7 +218,7 @@ void check_surface_mesh(Examined& examined) {
   if (!file || !file->in_space || file->path.empty()) return;
   const domain::FileSurface surface = domain::read_surface(*file, examined.problem.discretisation.cells);
   examined.symmetry_accuracy = surface.symmetry_accuracy;
-  std::ranges::move(surface_findings(surface, examined.problem.output.units.are_named()),
+  std::ranges::move(surface_findings(surface, examined.problem.output.units.are_stated),
                     std::back_inserter(examined.findings));
   report_intersections(examined, surface);
 }

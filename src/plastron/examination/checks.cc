@@ -55,8 +55,8 @@ std::vector<Finding> findings_of(const problem::Problem& problem) {
     if (has_errors(examined.findings)) return examined.findings;
   }
   for (const auto check :
-       {check_surface_mesh, check_normals, check_seams, check_finite, check_surfaces, check_weight, check_locking,
-        check_soft_layers, check_precision, check_start_mesh, check_probes, check_lines})
+       {check_surface_mesh, check_normals, check_seams, check_finite, check_surfaces, check_materials, check_weight,
+        check_locking, check_soft_layers, check_precision, check_start_mesh, check_probes, check_lines})
     check(examined);
   // Otherwise values that are not finite would be reported again with another text.
   if (!has_errors(examined.findings)) check_inside_cells(examined);

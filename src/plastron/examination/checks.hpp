@@ -94,6 +94,8 @@ void check_seams(Examined& examined);
 void check_finite(Examined& examined);
 /// Checks that chart and thickness are smooth inside each cell; names loads that are not.
 void check_inside_cells(Examined& examined);
+/// Warns of moduli and densities that no material has in the units of the case.
+void check_materials(Examined& examined);
 /// Warns of a density without use.
 void check_weight(Examined& examined);
 /// Checks that elements do not lock.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 namespace plastron::problem {
 
@@ -17,6 +18,17 @@ struct NamedUnits {
 constexpr std::array named_units{NamedUnits{"N", "m", "Pa", "J"},    NamedUnits{"N", "mm", "MPa", "mJ"},
                                  NamedUnits{"kN", "m", "kPa", "kJ"}, NamedUnits{"MN", "m", "MPa", "MJ"},
                                  NamedUnits{"kN", "mm", "GPa", "J"}, NamedUnits{"lbf", "in", "psi", "lbf in"}};
+
+/// A unit of length or force and its value in m or N.
+struct SizedUnit {
+  std::string_view name;
+  double value;
+};
+constexpr std::array lengths{SizedUnit{"m", 1},    SizedUnit{"mm", 1e-3}, SizedUnit{"cm", 1e-2},   SizedUnit{"dm", 0.1},
+                             SizedUnit{"um", 1e-6}, SizedUnit{"km", 1e3},  SizedUnit{"in", 0.0254}, SizedUnit{"ft", 0.3048}};
+constexpr std::array forces{SizedUnit{"N", 1},      SizedUnit{"mN", 1e-3},      SizedUnit{"daN", 10},
+                            SizedUnit{"kN", 1e3},   SizedUnit{"MN", 1e6},       SizedUnit{"kgf", 9.80665},
+                            SizedUnit{"lbf", 4.4482216}, SizedUnit{"kip", 4448.2216}};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool goes_on(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/' || c == '^'; }
@@ -54,6 +66,13 @@ bool fills_brackets(std::string_view text, std::size_t at, std::size_t length) {
 }
 
 }  // namespace
+
+std::optional<double> UnitNames::in_SI(int force_power, int length_power) const {
+  const auto* of_force = std::ranges::find(forces, force, &SizedUnit::name);
+  const auto* of_length = std::ranges::find(lengths, length, &SizedUnit::name);
+  if (of_force == forces.end() || of_length == lengths.end()) return std::nullopt;
+  return std::pow(of_force->value, force_power) * std::pow(of_length->value, length_power);
+}
 
 std::string UnitNames::label(std::string_view unit) const {
   const auto named = std::ranges::find_if(

@@ -31,14 +31,15 @@ bool touches(const NodalSolution& solution, std::size_t node) {
   return std::ranges::any_of(solution.touching.at(node), [](double t) { return t != 0; });
 }
 
-double largest_displacement(const algebra::Vector& y) {
+namespace {
+
+/// Returns the largest norm of three components from `first` on.
+double largest_vector(const algebra::Vector& y, std::size_t first) {
   double largest = 0;
-  for (std::size_t i = 0; i + 2 < y.owned().size(); i += 6)
+  for (std::size_t i = first; i + 2 < y.owned().size(); i += 6)
     largest = std::max(largest, std::hypot(y.owned()[i], y.owned()[i + 1], y.owned()[i + 2]));
   return algebra::max_over_ranks(largest, y.layout()->comm);
 }
-
-namespace {
 
 NodalSolution zero_solution(const assembly::DiscreteShell& discrete) {
   const auto& layout = discrete.space().layout;
@@ -80,6 +81,9 @@ void set_contact(const assembly::DiscreteShell& discrete, const IsActive& is_act
 }
 
 }  // namespace
+
+double largest_displacement(const algebra::Vector& y) { return largest_vector(y, 0); }
+double largest_rotation(const algebra::Vector& y) { return largest_vector(y, 3); }
 
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& box) {
   NodalSolution solution = zero_solution(discrete);

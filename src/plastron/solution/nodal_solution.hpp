@@ -18,6 +18,8 @@ double total_pressure(const NodalSolution& solution, std::size_t node);
 bool touches(const NodalSolution& solution, std::size_t node);
 /// Returns the largest |u| at a node of any rank (collective) [m].
 double largest_displacement(const algebra::Vector& y);
+/// Computes the largest |r| of nodal values (collective).
+double largest_rotation(const algebra::Vector& y);
 
 /// Computes eta_i from the residual at the nodes in the solution's active set (collective).
 NodalSolution nodal_solution(const assembly::DiscreteShell& discrete, const contact::BoxSolution& solution);
