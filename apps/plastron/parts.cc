@@ -39,7 +39,7 @@ std::vector<report::PageFinding> on_page(const std::vector<examination::Finding>
   std::vector<report::PageFinding> all;
   all.reserve(findings.size());
   for (const examination::Finding& finding : findings)
-    all.push_back({finding.severity != examination::Severity::note, finding.text});
+    all.push_back({finding.severity != examination::Severity::note, with_unit_names(finding.text)});
   return all;
 }
 
@@ -74,8 +74,10 @@ ExitCode parts(const PartsOptions& options) {
   const auto findings = examination::surface_findings(surface);
   const auto regions = report::region_parts(surface);
   const auto curves = report::curve_parts(surface);
+  set_unit_names({.length = "units"});  // a file of a mesh names none
   if (is_first_rank()) {
-    print("{}\n", options.file);
+    print("{}, lengths in the units of the file{}\n", options.file,
+          options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale));
     print_findings(findings, options.file, true);
     print_regions(regions);
     print_curves(curves);

@@ -138,8 +138,7 @@ void print_messages(const Member& member, const Messages& messages) {
   std::array<char, 4096> part{};
   while (const std::size_t size = std::fread(part.data(), 1, part.size(), messages.get()))
     text.append(part.data(), size);
-  if (!text.empty())
-    fmt::print(stderr, "{} ({}):\n{}", member.folder.string(), fmt::join(member.settings, ", "), text);
+  if (!text.empty()) fmt::print(stderr, "{} ({}):\n{}", member.folder.string(), fmt::join(member.settings, ", "), text);
 }
 
 /// Solves members, `options.jobs` at a time. Returns false after an interruption.

@@ -77,6 +77,12 @@ TEST(DomainOfTheCase, IsAMeshFileBesideTheCaseFile) {
   EXPECT_EQ(
       with_domain("{ mesh = \"plate.msh\" }", "[\"x\", \"y\", 0]", (folder / "case.toml").string()).charts.count(""),
       1u);
+  // The cells of a file are not refined unless the case says so.
+  for (const auto& [mesh, refinements] : {std::pair("degree = 2", 0), {"refinements = 2", 2}})
+    EXPECT_EQ(with_domain("{ mesh = \"plate.msh\" }", std::string("[\"x\", \"y\", 0]\n[mesh]\n") + mesh,
+                          (folder / "case.toml").string())
+                  .discretisation.refinements,
+              refinements);
   std::filesystem::remove_all(folder);
 }
 

@@ -133,5 +133,50 @@ TEST(Symmetry, IsRefusedBeyondWhatTheMeshKnows) {
             << "order " << order << ", flat " << is_flat << ", offset " << offset;
 }
 
+/// The surface of a turned box, as facets.
+std::string box_facets(const Eigen::Vector3d& sides, double scale) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  std::string text = "solid\n";
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int end : {0, 1}) {
+      const auto corner = [&](int i, int j) {
+        Eigen::Vector3d x;
+        x[axis] = end * sides[axis];
+        x[(axis + 1) % 3] = (end == 1 ? i : j) * sides[(axis + 1) % 3];
+        x[(axis + 2) % 3] = (end == 1 ? j : i) * sides[(axis + 2) % 3];
+        return Eigen::Vector3d(scale * turn * x);
+      };
+      for (const auto& [b, c] : {std::pair(corner(1, 0), corner(1, 1)), {corner(1, 1), corner(0, 1)}}) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const Eigen::Vector3d& x : {corner(0, 0), b, c})
+          text += fmt::format("vertex {:.17g} {:.17g} {:.17g}\n", x[0], x[1], x[2]);
+        text += "endloop\nendfacet\n";
+      }
+    }
+  return text + "endsolid\n";
+}
+
+TEST(MeshFile, ThatIsTheSkinOfAThinSolidIsWarnedOf) {
+  for (const double scale : {1e-3, 1.0, 1e3})
+    for (const auto& [sides, is_skin] : {std::pair(Eigen::Vector3d(60, 60, 1), true),
+                                         {Eigen::Vector3d(1.5, 100, 50), true},
+                                         {Eigen::Vector3d(60, 60, 20), false},
+                                         {Eigen::Vector3d(100, 5, 5), false},
+                                         {Eigen::Vector3d(200, 5, 3), false}}) {
+      const std::filesystem::path path =
+          std::filesystem::temp_directory_path() / fmt::format("plastron-skin-{}.stl", getpid());
+      std::ofstream(path) << box_facets(sides, scale);
+      domain::SpaceReading reading;
+      reading.size = scale * sides.maxCoeff() / 10;
+      const auto surface = domain::read_surface({.path = path.string(), .in_space = reading}, {});
+      std::filesystem::remove(path);
+      std::vector<std::string> warnings;
+      for (const Finding& finding : surface_findings(surface, true))
+        if (finding.severity == Severity::warning) warnings.push_back(finding.text);
+      EXPECT_EQ(testing::Value(warnings, testing::Contains(HasSubstr("skin of a thin solid"))), is_skin)
+          << sides.transpose() << " times " << scale;
+    }
+}
+
 }  // namespace
 }  // namespace plastron::examination

@@ -110,6 +110,7 @@ TEST(Report, shows_the_surface_that_the_vtu_file_has) {
   EXPECT_NEAR(-*std::ranges::min_element(u), result.summary.max_displacement, 1e-8);
   EXPECT_EQ(scene["obstacles"].size(), 1U);
   EXPECT_EQ(scene["lines"].size(), result.summary.obstacles[0].zones[0].lines.size());
+  EXPECT_EQ(scene["touches_on_areas"], !result.summary.obstacles[0].zones[0].is_line());
   // The load acts downwards everywhere: an arrow in each of nine parts by five.
   const auto directions = decoded_numbers<float>(scene["loads"]["directions"].get<std::string>());
   ASSERT_EQ(directions.size(), 3U * 45U);

@@ -40,10 +40,9 @@ export function rangeInFrames(quantity, frames) {
   return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
 }
 
-/** Pressure where there is contact, else the displacement. */
+/** Pressure where the contact has an area, else the displacement: along lines the pressure depends on the mesh. */
 export function defaultQuantity(scene) {
-  const pressure = scene.fields.find((field) => field.key === 'eta');
-  return pressure && pressure.rows[0].some((value) => value > 0) ? 'eta:0' : 'u:length';
+  return scene.touchesOnAreas ? 'eta:0' : 'u:length';
 }
 
 /** The least and the largest value; the same number twice where they differ by no more than what single precision and rounding leave. */

@@ -31,7 +31,7 @@ function readFrame(frame, points) {
 }
 
 /**
- * Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports, loads, frames, modes}. The last frame is
+ * Returns {shape, subdivisions, cells, points, merged, fields, position, u, r, normal, obstacles, lines, supports, loads, frames, modes, touchesOnAreas}. The last frame is
  * the solution, with all fields; there is no other without steps. Modes are frames, too: their displacement is a field of the solution.
  */
 export function readScene(json) {
@@ -60,6 +60,7 @@ export function readScene(json) {
       triangles: numbers(o.triangles),
     })),
     lines: json.lines.map(polyline),
+    touchesOnAreas: json.touches_on_areas,
     supports: json.supports.map(polyline),
     loads: { places: floats(json.loads.places), displacements: floats(json.loads.displacements), directions: floats(json.loads.directions) },
   };

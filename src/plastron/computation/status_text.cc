@@ -34,9 +34,9 @@ std::string word_of(const ModelCheck& check) {
 std::string status_text(const Result& result) {
   std::string text(contact::explain(result.status));
   if (result.status == contact::Status::inaccurate) text += fmt::format(" Beyond its limit: {}.", result.missed_limits);
-  const bool has_words =
-      result.status == contact::Status::infeasible || result.status == contact::Status::no_equilibrium ||
-      result.status == contact::Status::gap_not_met;
+  const bool has_words = result.status == contact::Status::infeasible ||
+                         result.status == contact::Status::no_equilibrium ||
+                         result.status == contact::Status::gap_not_met;
   const bool names_place = has_words && !result.missed_limits.empty();
   if (names_place || result.status == contact::Status::accuracy_not_reached)
     text += fmt::format(" {}.", result.missed_limits);

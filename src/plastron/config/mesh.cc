@@ -51,8 +51,9 @@ std::vector<Section> mesh_sections() {
                 "mesh from a file is not changed. `plastron check` describes the rows. Where meshes follow from "
                 "[accuracy], the default is \"auto\", on triangles false"),
             key("refinements", &Discretisation::refinements, {.fallback = "3", .range = Range::between(0, 12)},
-                "uniform refinements of the coarsest mesh; every level is solved. With [accuracy], or without [mesh], "
-                "the default is 0, and only the last level is solved, as the first of the meshes that follow")}}};
+                "uniform refinements of the coarsest mesh; every level is solved. On a mesh from a file the default is 0. "
+                "With [accuracy], or without [mesh], the default is 0, and only the last level is solved, as the first "
+                "of the meshes that follow")}}};
 }
 
 void read_mesh(Table& root, problem::Problem& problem) {
@@ -61,6 +62,8 @@ void read_mesh(Table& root, problem::Problem& problem) {
     mesh.fill(d);
     mesh.fill(problem.shell);
     if (root.has("accuracy") || !root.has("mesh")) suit_accuracy(mesh, d);
+    if (!mesh.has("refinements") && std::holds_alternative<domain::MeshFile>(problem.domain))
+      mesh.effective["refinements"] = d.refinements = 0;
     if (d.cells == mesh::Shape::triangle) check_triangles(mesh, problem);
   });
 }

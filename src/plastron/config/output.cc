@@ -103,8 +103,7 @@ bool read_output(Table& root, problem::Problem& problem) {
 }
 
 void read_units(Table& root, problem::Problem& problem) {
-  problem.output.units.are_stated =
-      root.in_table("units", [&](Table& units) { units.fill(problem.output.units); });
+  problem.output.units.are_stated = root.in_table("units", [&](Table& units) { units.fill(problem.output.units); });
 }
 
 }  // namespace plastron::config

@@ -4,9 +4,11 @@
 #include <plastron/geometry/quotation.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string_view>
 
 namespace plastron::config {
 
@@ -273,6 +275,10 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
   if (std::ranges::count(all_variables, word) > 0)
     advice = variables.empty() ? fmt::format("{} is not known here: the value must be constant", word)
                                : "the coordinates in space are X, Y, Z; x and y are the parameters of the mid-surface";
+  const std::string_view before = std::string_view(text).substr(0, error.position);
+  if (const std::size_t last = before.find_last_not_of(' ');
+      advice.empty() && last != std::string_view::npos && std::isdigit(static_cast<unsigned char>(before[last])) != 0)
+    advice = "numbers carry no unit: write 210e9 for 210 GPa, or all of the case in other units, which [units] names";
   if (std::ranges::count(reading.later_constants, word) > 0)
     advice = fmt::format("\"{}\" is defined below: constants use those above them", word);
   reading.report(place,

@@ -133,9 +133,14 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
   if (says("trailing comma")) return {"a table in braces has no comma before its }", ""};
   if (says("missing table separator"))
     return {"expected a comma or } in the table", "text and expressions stand in quotes"};
-  if (says("invalid line format"))
-    return {fmt::format("unexpected \"{}\" after the value", up_to(text, at, "\r\n")),
-            "text and expressions stand in quotes, and every key has its own line"};
+  if (says("invalid line format")) {
+    const std::string rest = up_to(text, at, "\r\n");
+    const bool is_unit = at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 && !rest.empty() &&
+                         std::isalpha(static_cast<unsigned char>(rest[0])) != 0;
+    return {fmt::format("unexpected \"{}\" after the value", rest),
+            is_unit ? "numbers carry no unit; [units] names those of the case"
+                    : "text and expressions stand in quotes, and every key has its own line"};
+  }
   if (says("newline required after")) return {"unexpected text after the section header", ""};
   if (says("invalid key") || says("unknown line")) return about_key(text, at);
   if (says("date") || says("time")) return {"this is no value", "text and expressions stand in quotes"};

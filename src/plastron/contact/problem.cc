@@ -95,7 +95,8 @@ std::string_view explain(Status status) {
              "result; use a thicker shell, a coarser mesh of higher degree, or a finer one where contact was missed.";
     case Status::gap_not_met:
       return "The gaps of curved obstacles, or the segments of a bed, did not come to rest where the shell was found; "
-             "check E, the loads and their units, use a smaller load or a finer mesh, or write linearised = true for the gaps of the undeformed shell (not "
+             "check E, the loads and their units, use a smaller load or a finer mesh, or write linearised = true for "
+             "the gaps of the undeformed shell (not "
              "with the table of a bed).";
     case Status::no_equilibrium:
       return "With finite rotations no equilibrium was found near the state from which the steps started: loads, "

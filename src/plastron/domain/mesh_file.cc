@@ -224,10 +224,12 @@ class Reader {
     if (!text_.next_line()) throw mesh::DomainError(fmt::format("{}: the mesh file is empty", text_.path()));
     if (text_.line() == "$NOD")
       text_.refuse("it has Gmsh's format 1.0, which has no names; save the mesh in format 2.2 or 4.1");
-    if (text_.line().starts_with("ISO-10303-21"))
+    const bool is_step = text_.line().starts_with("ISO-10303-21");
+    if (is_step || text_.line().starts_with("DBRep_") || text_.line().starts_with("CASCADE Topology"))
       text_.refuse(
-          "it is a STEP file, a drawing and no mesh: open it in Gmsh, keep or make the mid-surface, mesh it with "
-          "-2 and save the mesh as .msh");
+          fmt::format("it is a {} file, a drawing and no mesh: open it in Gmsh, keep or make the mid-surface, mesh it "
+                      "with -2 and save the mesh as .msh",
+                      is_step ? "STEP" : "BREP"));
     if (text_.line() != "$MeshFormat")
       text_.refuse(
           fmt::format("it is no Gmsh mesh file: it begins with \"{}\" and not with $MeshFormat; save the mesh "

@@ -190,6 +190,9 @@ void check_one_part(Examined& examined, const ExaminedNodes& nodes, const Carrie
   for (const std::string& motion : in_words(motions, free.unheld))
     if (is_at_rest)
       examined.add(Severity::note, "nothing holds the rigid motion: {}; its natural frequency is 0", motion);
+    else if (examined.problem.shell.supports.empty())
+      examined.add(Severity::error, "there is no [[support]], and a rigid motion is free: {}; add [[support]]s",
+                   motion);
     else
       examined.add(Severity::error,
                    "the supports leave a rigid motion free: {}; fix more components, or say on which boundaries",

@@ -49,10 +49,16 @@ void check_materials(Examined& examined) {
     std::string unit_name;
   };
   // 4e5 Pa is above all metals in MPa. A mass is force s^2 / length.
-  const Range moduli{"modulus of elasticity", "below rubber's",    "above diamond's", 4e5, 2e12,
-                     2.1e11,                  units.in_SI(1, -2), units.label("Pa")};
-  const Range densities{"density", "below a foam's",    "above any metal's", 1, 3e4,
-                        7850,      units.in_SI(1, -4), units.label("N") + " s^2/" + units.label("m") + "^4"};
+  const Range moduli{"modulus of elasticity", "below rubber's", "above diamond's", 4e5, 2e12, 2.1e11,
+                     units.in_SI(1, -2),      units.label("Pa")};
+  const Range densities{"density",
+                        "below a foam's",
+                        "above any metal's",
+                        1,
+                        3e4,
+                        7850,
+                        units.in_SI(1, -4),
+                        units.label("N") + " s^2/" + units.label("m") + "^4"};
   const auto check = [&](const Range& range, double value, const std::string& place) {
     const double in_SI = value * range.unit.value_or(0);
     if (!range.unit || value == 0 || (in_SI >= range.least && in_SI <= range.most)) return;

@@ -5,6 +5,7 @@
 
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace plastron::examination {
@@ -52,6 +53,21 @@ void report_cells(Findings& findings, const domain::FileSurface& surface, const 
     add(findings, Severity::note,
         "cells of order 1 are facets: a curved part needs ten times finer cells than of order 2; export order 2 "
         "(Gmsh: Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 0; Abaqus, CalculiX: S8)");
+}
+
+/// Warns of a closed surface whose sides are so near to each other that it is the skin of a thin solid.
+void report_skin(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary) {
+  constexpr double thin = 0.04;  // balls have 0.27, slender tubes and lenses 0.05 and more
+  if (!summary.is_closed || surface.topology.components.size() != 1) return;
+  Eigen::Vector3d extents = summary.high - summary.low;
+  std::ranges::sort(extents);
+  const double distance = 2 * std::abs(summary.volume) / summary.area;
+  if (distance > thin * std::min(extents[1], std::sqrt(summary.area / 2))) return;
+  add(findings, Severity::warning,
+      "the surface is closed, and its opposite sides are about {:.3g} m apart: this is the skin of a thin solid, and a "
+      "shell is a mid-surface with its own thickness; export or make the mid-surface, or give the file of one side "
+      "with offset",
+      distance);
 }
 
 void report_orientation(Findings& findings, const domain::FileSurface& surface) {
@@ -202,6 +218,7 @@ std::vector<Finding> surface_findings(const domain::FileSurface& surface, bool n
   Findings findings;
   const topology::SurfaceSummary summary = topology::summary_of(surface.topology);
   report_cells(findings, surface, summary, names_units);
+  report_skin(findings, surface, summary);
   report_orientation(findings, surface);
   report_upper(findings, surface);
   report_edges(findings, surface, summary);

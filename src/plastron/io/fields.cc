@@ -74,7 +74,7 @@ const std::vector<Field>& table() {
           "gap", {"gap"}, "g", "m", "distance of the touching face from the obstacle", [](auto& p) { return p.gap; },
           Presence::with_obstacle),
       field(
-          "eta", {"eta"}, "eta", "Pa", "reaction of the obstacle per unit mid-surface area",
+          "eta", {"eta"}, "eta", "Pa", "contact pressure: reaction of the obstacle per unit mid-surface area",
           [](auto& p) { return p.pressure; }, Presence::with_obstacle),
       field(
           "contact", {"contact"}, "-", "1",

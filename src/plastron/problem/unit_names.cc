@@ -24,10 +24,11 @@ struct SizedUnit {
   std::string_view name;
   double value;
 };
-constexpr std::array lengths{SizedUnit{"m", 1},    SizedUnit{"mm", 1e-3}, SizedUnit{"cm", 1e-2},   SizedUnit{"dm", 0.1},
-                             SizedUnit{"um", 1e-6}, SizedUnit{"km", 1e3},  SizedUnit{"in", 0.0254}, SizedUnit{"ft", 0.3048}};
-constexpr std::array forces{SizedUnit{"N", 1},      SizedUnit{"mN", 1e-3},      SizedUnit{"daN", 10},
-                            SizedUnit{"kN", 1e3},   SizedUnit{"MN", 1e6},       SizedUnit{"kgf", 9.80665},
+constexpr std::array lengths{SizedUnit{"m", 1},       SizedUnit{"mm", 1e-3},  SizedUnit{"cm", 1e-2},
+                             SizedUnit{"dm", 0.1},    SizedUnit{"um", 1e-6},  SizedUnit{"km", 1e3},
+                             SizedUnit{"in", 0.0254}, SizedUnit{"ft", 0.3048}};
+constexpr std::array forces{SizedUnit{"N", 1},           SizedUnit{"mN", 1e-3},      SizedUnit{"daN", 10},
+                            SizedUnit{"kN", 1e3},        SizedUnit{"MN", 1e6},       SizedUnit{"kgf", 9.80665},
                             SizedUnit{"lbf", 4.4482216}, SizedUnit{"kip", 4448.2216}};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }

@@ -242,6 +242,13 @@ Json obstacles_json(const std::vector<io::DrawnObstacle>& all, const solution::S
   return list;
 }
 
+/// Whether some contact zone has a pressure that does not depend on the mesh.
+bool touches_on_areas(const solution::Summary& summary) {
+  return std::ranges::any_of(summary.obstacles, [](const solution::ObstacleContact& obstacle) {
+    return std::ranges::any_of(obstacle.zones, [](const solution::ContactZone& zone) { return !zone.is_line(); });
+  });
+}
+
 Json lines_json(const solution::Summary& summary) {
   Json list = Json::array();
   for (std::size_t o = 0; o < summary.obstacles.size(); ++o)
@@ -392,6 +399,7 @@ Json scene_json(const computation::Solution& solution, const solution::Summary& 
                 {"time", discrete.state.factors.time},
                 {"frames", frames.json(solution, drawn, surface.drawing)},
                 {"lines", lines_json(summary)},
+                {"touches_on_areas", touches_on_areas(summary)},
                 {"supports", supports},
                 {"loads", loads}};
   });

@@ -41,16 +41,16 @@ std::string notes_html(const std::vector<PageFinding>& findings) {
 std::string name_html(const std::string& name) { return html_text(valid_utf8(name)); }
 
 std::string regions_html(const std::vector<RegionPart>& regions) {
-  HtmlTable table({"<region", "cells", "turned", "area [m^2]", "middle [m]", "mean normal a3"});
+  HtmlTable table({"<region", "cells", "turned", "area", "middle", "mean normal a3"});
   for (const RegionPart& region : regions)
     table.row({name_html(name_text(region)), fmt::format("{}", region.cells), fmt::format("{}", region.turned),
                html_number(region.area), html_text(topology::place_of(region.middle)), html_text(normal_text(region))});
-  return "<p class=\"note\">In a case: <code>region = \"...\"</code>.</p>\n" + table.text();
+  return "<p class=\"note\">In a case: <code>region = \"...\"</code>. Lengths are in the unit of the file.</p>\n" + table.text();
 }
 
 std::string curves_html(const std::vector<CurvePart>& curves) {
   if (curves.empty()) return "";
-  HtmlTable table({"<curve", "<edges", "length [m]", "largest angle [degrees]", "from [m]", "to [m]"});
+  HtmlTable table({"<curve", "<edges", "length", "largest angle [degrees]", "from", "to"});
   for (const CurvePart& curve : curves)
     table.row({name_html(curve.name), html_text(curve.edges.empty() ? "none: points" : kinds_text(curve)),
                html_number(curve.length), html_number(curve.largest_angle * 180 / std::numbers::pi, "", 1e3),
@@ -65,7 +65,7 @@ std::string doubtful_html(const topology::SurfaceTopology& topology) {
   const auto edges = doubtful_edges(topology);
   if (edges.empty()) return "";
   constexpr std::size_t most_rows = 50;
-  HtmlTable table({"angle [degrees]", "<kind", "from [m]", "to [m]"});
+  HtmlTable table({"angle [degrees]", "<kind", "from", "to"});
   for (std::size_t i = 0; i < std::min(most_rows, edges.size()); ++i) {
     const topology::SurfaceEdge& edge = topology.edges[edges[i]];
     const auto end = [&](std::size_t k) {
