@@ -227,7 +227,9 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0 || is_at_sharp_edge(node, k)) continue;
+          const bool hangs = solved_.discrete.points[node].side_weight == 0;  // and has no reaction of its own
+          if (!touches(node, k) || hangs || with_inside.local()[node * obstacles + k] > 0 || is_at_sharp_edge(node, k))
+            continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
@@ -323,6 +325,7 @@ std::vector<double> ContactEdge::densities(const algebra::Vector& multiplier) co
   }
   all.update_ghosts();
   solution::give_to_faces(discrete, all);
+  discrete.space().continuity.apply(all);
   return {all.local().begin(), all.local().end()};
 }
 
