@@ -328,6 +328,64 @@ TEST(AnEdge, BesideASupportIsHalfWayToItsFirstNodes) {
   }
 }
 
+/// A cantilever plate over a ridge along y, near the row of nodes at x = 3/4. Cells on the sides of this row that are named are
+/// divided: the nodes on the row between those of the other side hang.
+SolvedShell plate_on_a_ridge(int degree, double ridge, bool divides_left, bool divides_right, bool is_turned) {
+  constexpr int cells = 8;
+  constexpr double row = 0.75, radius = 0.2;
+  const auto turned = [&](const Eigen::Vector2d& x) { return is_turned ? Eigen::Vector2d(x[1], x[0]) : x; };
+  const domain::Rectangle rectangle{.to = turned({1, 0.25}),
+                                    .cells = is_turned ? std::array{2, cells} : std::array{cells, 2}};
+  fem::MeshSequence meshes(domain::coarse_mesh(rectangle, mesh::Shape::quadrilateral), degree, MPI_COMM_WORLD);
+  std::map<std::string, geometry::Chart> charts;
+  charts.emplace("", geometry::Chart(plastron::test::flat, {}));
+  const auto surface_of = [&] { return std::make_shared<const fem::Surface>(meshes.space()->coarse, charts); };
+  std::vector<signed char> marks;
+  for (const fem::Cell& cell : meshes.space()->cells) {
+    const Eigen::Vector3d middle = surface_of()->frame(cell, {0.5, 0.5}, false).phi;
+    const double beyond = (is_turned ? middle[1] : middle[0]) - row;
+    marks.push_back(std::abs(beyond) < 1.0 / cells && (beyond < 0 ? divides_left : divides_right) ? 1 : 0);
+  }
+  marks.resize(meshes.space()->owned_cells);
+  if (divides_left || divides_right) meshes.refine({}, marks);
+
+  assembly::ShellDescription shell{.sections = plastron::test::steel_of(geometry::Expression(thickness))};
+  energy::AreaLoad load{};
+  load.force = {geometry::Expression(0.0), geometry::Expression(0.0), geometry::Expression(-0.02)};
+  shell.loads.on_areas = {load};
+  shell.supports = {plastron::test::clamp(is_turned ? "bottom" : "left")};
+  const Eigen::Vector2d at = turned({ridge, 0}), axis = turned({0, 1});
+  shell.obstacles.all = {
+      {.shape = obstacle::Cylinder{
+           .point = {at[0], at[1], -radius - thickness / 2 - sag}, .axis = {axis[0], axis[1], 0}, .radius = radius}}};
+  return {{meshes.space(), surface_of()}, shell};
+}
+
+TEST(ALine, HasTheSameShareWhereCellsOnOneSideAreDivided) {
+  int compared = 0;
+  for (const int degree : {2, 3, 4})
+    for (const bool is_turned : {false, true})
+      for (const double ridge : {0.74, 0.747, 0.753, 0.76}) {
+        const auto found = [&](bool left, bool right) {
+          const SolvedShell plate = plate_on_a_ridge(degree, ridge, left, right, is_turned);
+          const Solved solved = plate.solved();
+          const EdgeShares shares =
+              ContactEdge(solved).shares(of_the_solution(plate), multiple(1, plate), plate.nodal().y);
+          return std::pair(plate.value(Energy{}), std::accumulate(shares.lines.begin(), shares.lines.end(), 0.0));
+        };
+        const auto [energy, line] = found(false, false);
+        for (const auto& [left, right] : {std::pair(true, false), {false, true}}) {
+          const auto [other_energy, other_line] = found(left, right);
+          if (std::abs(other_energy - energy) > 1e-3 * energy) continue;  // another row of nodes touches
+          ++compared;
+          EXPECT_GT(line, 0);
+          EXPECT_NEAR(other_line / line, 1, 0.3)
+              << "degree " << degree << ", ridge " << ridge << (left ? ", left" : ", right") << is_turned;
+        }
+      }
+  EXPECT_GT(compared, 12);
+}
+
 TEST(AnEdge, CrossesNoCellWithoutObstacle) {
   const assembly::ShellDescription shell{.sections = plastron::test::steel_of(geometry::Expression(thickness)),
                                          .supports = {plastron::test::clamp("left")}};
