@@ -154,6 +154,36 @@ std::vector<Eigen::Vector2d> ContactEdge::sharp_edges(std::size_t cell, std::siz
   return edges;
 }
 
+std::vector<ContactEdge::Part> ContactEdge::reactions_at(std::size_t node, double amount) const {
+  const constraints::Row* row = solved_.discrete.space().continuity.find(node);
+  if (row == nullptr) return {{node, amount}};
+  std::vector<Part> parts;
+  for (const constraints::Term& term : row->terms)
+    if (term.weight > 0) parts.push_back({static_cast<std::size_t>(term.node), term.weight * amount});
+  return parts;
+}
+
+template <class Item>
+void ContactEdge::share_reactions(std::vector<Item>& items) const {
+  const std::size_t obstacles = solved_.discrete.obstacles.all.size();
+  algebra::Vector sums(solved_.discrete.space().layout, static_cast<int>(obstacles));
+  for (const Item& item : items)
+    for (const Part& part : item.reactions) sums.local()[part.node * obstacles + item.obstacle] += part.part;
+  sums.accumulate_ghosts();
+  sums.update_ghosts();
+  for (Item& item : items)
+    for (Part& part : item.reactions) part.part /= sums.local()[part.node * obstacles + item.obstacle];
+}
+
+double ContactEdge::reaction(const std::vector<Part>& parts, std::size_t obstacle,
+                             const std::vector<double>& densities) const {
+  double sum = 0;
+  for (const Part& part : parts)
+    sum += part.part * solved_.discrete.points[part.node].side_weight *
+           densities[part.node * solved_.discrete.obstacles.all.size() + obstacle];
+  return sum;
+}
+
 // Beyond a sharp edge the distance is that to another side of the body, and no gap. The node's own gap keeps the edge outside of its
 // tangent plane, wherever it is (obstacle/gap.cc). But its reaction acts at the node: eta (B z - w) at the edge remains.
 void ContactEdge::find_sharp_edges() {
@@ -163,7 +193,6 @@ void ContactEdge::find_sharp_edges() {
   sharp_ = algebra::Vector(space.layout, static_cast<int>(obstacles));
   if (space.shape() != mesh::Shape::quadrilateral) return;
   const algebra::Vector with_area = width_->with_area();
-  algebra::Vector cells = sharp_;
   for (std::size_t c = 0; c < crossed_.size(); ++c)
     for (std::size_t k = 0; k < obstacles; ++k) {
       if (!discrete.obstacles.all[k].has_edges() || stands_on_rim(crossed_[c], k)) continue;
@@ -176,16 +205,15 @@ void ContactEdge::find_sharp_edges() {
           if (!touches(node, k) || with_area.local()[entry] > 0) continue;
           auto edges = sharp_edges(crossed_[c], k, d, i, j);
           if (edges.empty()) continue;
-          at_sharp_edges_.push_back({c, k, node, std::move(edges)});
+          at_sharp_edges_.push_back({c, k, node, std::move(edges), reactions_at(node, 1)});
           has_kinks_ = has_kinks_ || (i > 0 && i + 1 < n);
-          cells.local()[entry] += 1;
+          sharp_.local()[entry] += 1;
         }
     }
   has_kinks_ = algebra::sum_over_ranks(std::int64_t{has_kinks_}, space.layout->comm) > 0;
-  cells.accumulate_ghosts();
-  cells.update_ghosts();
-  sharp_ = cells;
-  for (AtSharpEdge& at : at_sharp_edges_) at.part = 1 / cells.local()[at.node * obstacles + at.obstacle];
+  sharp_.accumulate_ghosts();
+  sharp_.update_ghosts();
+  share_reactions(at_sharp_edges_);
 }
 
 // The gap at the edge is 0, so w of the energy is minus the opening by u_h there.
@@ -216,7 +244,6 @@ void ContactEdge::find_deepest() {
   const std::size_t obstacles = solved_.discrete.obstacles.all.size(), n = static_cast<std::size_t>(space.degree) + 1;
   for (int d = 0; d < 2; ++d) between_[static_cast<std::size_t>(d)] = between_nodes(space, d);
   const algebra::Vector with_area = width_->with_area(), with_inside = width_->with_inside();
-  algebra::Vector depths(space.layout, static_cast<int>(obstacles));
   for (std::size_t c = 0; c < crossed_.size(); ++c)
     for (std::size_t k = 0; k < obstacles; ++k) {
       const auto nodes = space.nodes(crossed_[c]);
@@ -227,22 +254,17 @@ void ContactEdge::find_deepest() {
       for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) {
           const auto node = static_cast<std::size_t>(nodes[d == 0 ? j * n + i : i * n + j]);
-          const bool hangs = solved_.discrete.points[node].side_weight == 0;  // and has no reaction of its own
-          if (!touches(node, k) || hangs || with_inside.local()[node * obstacles + k] > 0 || is_at_sharp_edge(node, k))
-            continue;
+          if (!touches(node, k) || with_inside.local()[node * obstacles + k] > 0 || is_at_sharp_edge(node, k)) continue;
           const auto line = found.begin() + static_cast<std::ptrdiff_t>(j * (n - 1) * samples);
           const auto from = line + static_cast<std::ptrdiff_t>(i == 0 ? 0 : (i - 1) * samples);
           const auto to = line + static_cast<std::ptrdiff_t>(std::min(i + 1, n - 1) * samples);
           const auto least = std::min_element(from, to);
           if (!(*least < 0)) continue;
-          deepest_.push_back(
-              {c, k, node, d, least - found.begin(), *least, 1, with_area.local()[node * obstacles + k] == 0});
-          depths.local()[node * obstacles + k] -= *least;
+          const bool on_line = with_area.local()[node * obstacles + k] == 0;
+          deepest_.push_back({c, k, d, least - found.begin(), *least, on_line, reactions_at(node, -*least)});
         }
     }
-  depths.accumulate_ghosts();
-  depths.update_ghosts();
-  for (Deepest& at : deepest_) at.part = -at.gap / depths.local()[at.node * obstacles + at.obstacle];
+  share_reactions(deepest_);
 }
 
 // An obstacle at rest: mu g(u_h), for the energy with eta, and eta (B z - w). The obstacle of a force moves by z, too. The energy's
@@ -264,21 +286,21 @@ std::vector<double> ContactEdge::line_shares(const Dual& dual) const {
   for (const Deepest& at : deepest_) {
     // Energies change only with the square of the edge's error.
     if (!at.on_line && dual.derivative.weighs_gaps) continue;
-    const std::size_t cell = crossed_[at.crossed], entry = at.node * discrete.obstacles.all.size() + at.obstacle;
+    const std::size_t cell = crossed_[at.crossed];
     const element::BasisAt& between = between_[at.direction];
     const Eigen::Vector2d xi = between.xi[static_cast<std::size_t>(at.point)];
     const element::BasisAt point = element::basis_at(mesh::Shape::quadrilateral, discrete.space().degree, {xi});
     const CellGaps found = cell_gaps(solved_, cell, at.obstacle, point);
     const obstacle::Gap& gap = found.rows.front();
-    const double weight = at.part * discrete.points[at.node].side_weight;
-    lines[at.crossed] += products(dual, at.obstacle, gap, weight * dual.mu[entry], weight * eta_[entry],
-                                  at.gap - gap.initial, openings(solved_, cell, found, point, dual.y)[0])
+    const auto sum = [&](const std::vector<double>& densities) {
+      return reaction(at.reactions, at.obstacle, densities);
+    };
+    lines[at.crossed] += products(dual, at.obstacle, gap, sum(dual.mu), sum(eta_), at.gap - gap.initial,
+                                  openings(solved_, cell, found, point, dual.y)[0])
                              .larger();
   }
-  for (const AtSharpEdge& at : at_sharp_edges_) {
-    const double eta = eta_[at.node * discrete.obstacles.all.size() + at.obstacle];
-    lines[at.crossed] += at.part * discrete.points[at.node].side_weight * std::abs(eta) * reach_at(at, dual);
-  }
+  for (const AtSharpEdge& at : at_sharp_edges_)
+    lines[at.crossed] += std::abs(reaction(at.reactions, at.obstacle, eta_)) * reach_at(at, dual);
   return lines;
 }
 

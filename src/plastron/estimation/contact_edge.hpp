@@ -62,21 +62,32 @@ class ContactEdge {
     double penetration = 0, reach = 0;
     double larger() const { return std::max(std::abs(penetration), std::abs(reach)); }
   };
+  /// A part of a node's reaction.
+  struct Part {
+    std::size_t node = 0;
+    double part = 1;
+  };
+  /// Returns the nodes whose reactions a node shows, weighted by `amount`: its own, or those of the nodes on which it hangs. The
+  /// latter are nodes of the larger cell alone, and the line of contact may lie in the smaller ones.
+  std::vector<Part> reactions_at(std::size_t node, double amount) const;
+  /// Makes the amounts of all items parts of each node's reaction, with sum 1 (collective).
+  template <class Item>
+  void share_reactions(std::vector<Item>& items) const;
   /// A point of a crossed cell next to a touching node, where the shell is deepest inside the obstacle.
   struct Deepest {
     std::size_t crossed = 0;  ///< index of the crossed cell
-    std::size_t obstacle = 0, node = 0;
+    std::size_t obstacle = 0;
     std::size_t direction = 0;  ///< direction from the node to the point, index of `between_`
     Eigen::Index point = 0;
-    double gap = 0;       ///< < 0 [m]
-    double part = 1;      ///< part of the node's reaction in this cell; other cells have the rest
-    bool on_line = true;  ///< true in a zone without area
+    double gap = 0;                 ///< < 0 [m]
+    bool on_line = true;            ///< true in a zone without area
+    std::vector<Part> reactions{};  ///< at this point; other points have the rest
   };
   /// A touching node at a line or point of contact with a sharp edge of an obstacle, in one of its crossed cells.
   struct AtSharpEdge {
     std::size_t crossed = 0, obstacle = 0, node = 0;
     std::vector<Eigen::Vector2d> edges{};  ///< places of the edge in the cell, on either side of the node
-    double part = 1;                       ///< part of the node's reaction in this cell
+    std::vector<Part> reactions{};         ///< in this cell; other cells have the rest
   };
   void find_sharp_edges();
   bool is_at_sharp_edge(std::size_t node, std::size_t obstacle) const {
@@ -85,6 +96,8 @@ class ContactEdge {
   /// The places where the obstacle's normal turns sharply, between node i of line j along a direction and its neighbours.
   std::vector<Eigen::Vector2d> sharp_edges(std::size_t cell, std::size_t obstacle, std::size_t direction, std::size_t i,
                                            std::size_t j) const;
+  /// Sum of parts of nodal reactions, of densities by local node and obstacle [N].
+  double reaction(const std::vector<Part>& parts, std::size_t obstacle, const std::vector<double>& densities) const;
   double reach_at(const AtSharpEdge& at, const Dual& dual) const;
   void find_deepest();
   void find_held();

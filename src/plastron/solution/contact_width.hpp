@@ -8,12 +8,9 @@ namespace plastron::solution {
 
 class ContactWidth {
  public:
-  /// `touching`: of contact_faces(), positive at local nodes that touch an obstacle. A hanging node touches where those that it
-  /// hangs on do. `discrete` must outlive this object.
+  /// `touching`: of contact_faces(), positive at local nodes that touch an obstacle. `discrete` must outlive this object.
   ContactWidth(const assembly::DiscreteShell& discrete, algebra::Vector touching)
-      : discrete_(discrete), touching_(std::move(touching)) {
-    discrete.space().continuity.apply(touching_);
-  }
+      : discrete_(discrete), touching_(std::move(touching)) {}
 
   bool touches(std::size_t node, std::size_t obstacle) const {
     return touching_.local()[node * static_cast<std::size_t>(touching_.block()) + obstacle] > 0.5;
