@@ -59,8 +59,9 @@ TEST(MeshInSpace, CanBeFacets) {
   fs::copy_file(fs::path(PLASTRON_SOURCE_DIR) / "tests/domain/data/angle.stl", scratch.path / "angle.stl");
   const Outcome parts = plastron({"parts", "angle.stl", "--size", "0.2"}, scratch.path);
   EXPECT_EQ(parts.exit_code, 0) << parts.output;
-  EXPECT_THAT(parts.output, AllOf(HasSubstr("4 facets of 2 units^2"), HasSubstr("about 0.2 units (size)"), HasSubstr("floor"),
-                                  HasSubstr("wall"), HasSubstr("edge 7"), HasSubstr("4 folds (90 to 90 degrees)")));
+  EXPECT_THAT(parts.output,
+              AllOf(HasSubstr("4 facets of 2 units^2"), HasSubstr("about 0.2 units (size)"), HasSubstr("floor"),
+                    HasSubstr("wall"), HasSubstr("edge 7"), HasSubstr("4 folds (90 to 90 degrees)")));
   // The edge of the floor that the case holds has its middle at x = 1.
   const std::size_t line = parts.output.find("(1, 0, 0), (1, 1, 0)"), start = parts.output.rfind("edge ", line);
   ASSERT_NE(line, std::string::npos);

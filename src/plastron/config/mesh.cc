@@ -35,25 +35,26 @@ void suit_accuracy(Table& mesh, Discretisation& d) {
 }  // namespace
 
 std::vector<Section> mesh_sections() {
-  return {{"mesh",
-           "[mesh]",
-           "The finite elements, as far as they do not follow from [accuracy].",
-           {key("cells", &Discretisation::cells,
-                {{"quadrilateral", mesh::Shape::quadrilateral}, {"triangle", mesh::Shape::triangle}},
-                {.fallback = "\"quadrilateral\""}, "shape of the cells; triangles have degree 1 or 2 and no tying"),
-            key("degree", &Discretisation::degree, {.fallback = "2", .range = Range::between(1, 8)},
-                "degree of u and r. Where meshes follow from [accuracy], the default is 4, on triangles 2"),
-            key("tying", &assembly::ShellDescription::tying, {.fallback = "true"},
-                "tied strains, which prevent locking; false on triangles"),
-            key("layers", &Discretisation::layers, {{"auto", Layers::automatic}}, {.fallback = "false"},
-                "\"auto\": rows of long thin cells along the edges, as wide as the edge layers of the shell require. "
-                "On the finest mesh the other cells are small enough for an error of about 1e-3 (methods/layers.md). A "
-                "mesh from a file is not changed. `plastron check` describes the rows. Where meshes follow from "
-                "[accuracy], the default is \"auto\", on triangles false"),
-            key("refinements", &Discretisation::refinements, {.fallback = "3", .range = Range::between(0, 12)},
-                "uniform refinements of the coarsest mesh; every level is solved. On a mesh from a file the default is 0. "
-                "With [accuracy], or without [mesh], the default is 0, and only the last level is solved, as the first "
-                "of the meshes that follow")}}};
+  return {
+      {"mesh",
+       "[mesh]",
+       "The finite elements, as far as they do not follow from [accuracy].",
+       {key("cells", &Discretisation::cells,
+            {{"quadrilateral", mesh::Shape::quadrilateral}, {"triangle", mesh::Shape::triangle}},
+            {.fallback = "\"quadrilateral\""}, "shape of the cells; triangles have degree 1 or 2 and no tying"),
+        key("degree", &Discretisation::degree, {.fallback = "2", .range = Range::between(1, 8)},
+            "degree of u and r. Where meshes follow from [accuracy], the default is 4, on triangles 2"),
+        key("tying", &assembly::ShellDescription::tying, {.fallback = "true"},
+            "tied strains, which prevent locking; false on triangles"),
+        key("layers", &Discretisation::layers, {{"auto", Layers::automatic}}, {.fallback = "false"},
+            "\"auto\": rows of long thin cells along the edges, as wide as the edge layers of the shell require. "
+            "On the finest mesh the other cells are small enough for an error of about 1e-3 (methods/layers.md). A "
+            "mesh from a file is not changed. `plastron check` describes the rows. Where meshes follow from "
+            "[accuracy], the default is \"auto\", on triangles false"),
+        key("refinements", &Discretisation::refinements, {.fallback = "3", .range = Range::between(0, 12)},
+            "uniform refinements of the coarsest mesh; every level is solved. On a mesh from a file the default is 0. "
+            "With [accuracy], or without [mesh], the default is 0, and only the last level is solved, as the first "
+            "of the meshes that follow")}}};
 }
 
 void read_mesh(Table& root, problem::Problem& problem) {

@@ -45,7 +45,8 @@ std::string regions_html(const std::vector<RegionPart>& regions) {
   for (const RegionPart& region : regions)
     table.row({name_html(name_text(region)), fmt::format("{}", region.cells), fmt::format("{}", region.turned),
                html_number(region.area), html_text(topology::place_of(region.middle)), html_text(normal_text(region))});
-  return "<p class=\"note\">In a case: <code>region = \"...\"</code>. Lengths are in the unit of the file.</p>\n" + table.text();
+  return "<p class=\"note\">In a case: <code>region = \"...\"</code>. Lengths are in the unit of the file.</p>\n" +
+         table.text();
 }
 
 std::string curves_html(const std::vector<CurvePart>& curves) {
