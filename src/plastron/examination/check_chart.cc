@@ -145,8 +145,8 @@ class ChartCheck {
     if (!(bending < 1)) {
       examined_.add(Severity::error,
                     "the shell is too thick for its curvature at {}: thickness {:g} times largest "
-                    "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or flatten the "
-                    "chart there",
+                    "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or curve the "
+                    "surface less there",
                     examined_.place({x, y}), e, 2 * bending / e, bending);
       return false;
     }
