@@ -218,6 +218,7 @@ bool DiscreteShell::has_follower_pressure() const { return std::ranges::any_of(l
 
 Eigen::VectorXd DiscreteShell::follower_pressure(std::size_t cell) const {
   Eigen::VectorXd sum;
+  if (!has_finite_rotations()) return sum;
   for (const energy::LoadPart& part : loads) {
     if (part.pressure.empty() || part.pressure[cell].size() == 0) continue;
     const Eigen::VectorXd own = state.factors.load(part.factor) * part.pressure[cell];

@@ -26,7 +26,7 @@ struct SmallMotions {
 
 /// Returns the coordinates of the shell without a relaxed formulation.
 NodalCoordinates tangent_coordinates(const assembly::DiscreteShell& discrete) {
-  if (discrete.has_finite_rotations()) return discrete.coordinates;
+  if (discrete.has_increments()) return discrete.coordinates;
   return nodal_coordinates(discrete.shell.space_pointer(), discrete.points,
                            node_supports(discrete.space(), discrete.shell.surface(), discrete.points, discrete.supports,
                                          discrete.state.factors),
@@ -296,9 +296,9 @@ ExaminedStability examine_stability(const assembly::DiscreteShell& discrete, con
 Modes vibration_modes(const assembly::DiscreteShell& discrete, const solution::NodalSolution& solution, int count,
                       const std::function<bool()>& stop) {
   const SmallMotions motions = small_motions(discrete, solution);
-  const algebra::Matrix stiffness = discrete.has_finite_rotations()
-                                        ? hessian(discrete, solution, motions.coordinates)
-                                        : tangent_matrix(discrete, prestress(discrete, solution), motions.coordinates),
+  const algebra::Matrix stiffness = discrete.has_linear_strains()
+                                        ? tangent_matrix(discrete, prestress(discrete, solution), motions.coordinates)
+                                        : hessian(discrete, solution, motions.coordinates),
                         mass = mass_matrix(discrete, motions.coordinates);
   // A shift makes the stiffness of free motions and of unstable solutions positive. The largest ratio of the diagonals is
   // near the largest square of a frequency.

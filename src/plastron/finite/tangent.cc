@@ -84,8 +84,7 @@ constraints::NodeColumns stiffness_by_forces(const assembly::DiscreteShell& disc
                                              const energy::CellGeometry& at) {
   constraints::NodeColumns k = in_coordinates(
       coordinates, cell, geometric_stiffness(discrete.shell, prestress.stresses[cell], prestress.is_exact));
-  const Eigen::VectorXd pressure =
-      discrete.has_finite_rotations() ? discrete.follower_pressure(cell) : Eigen::VectorXd();
+  const Eigen::VectorXd pressure = discrete.follower_pressure(cell);
   if (pressure.size() > 0)
     k.matrix += on_both_sides(coordinates, coordinates.space->nodes(cell),
                               energy::follower_stiffness(discrete.shell, pressure, at))
