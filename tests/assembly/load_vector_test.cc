@@ -56,6 +56,28 @@ TEST(LoadVector, TrianglesCarryTheSameTotals) {
   EXPECT_NEAR(sum[1], 7 * 2 * std::numbers::pi * 0.8, 1e-8);
 }
 
+/// On any mesh, however coarse, and of the density force / area of this mesh.
+TEST(LoadVector, ATotalForceIsTheSumOfAnEvenLoad) {
+  const Eigen::Vector3d force(3, -5, 7);
+  for (const auto& [shape, degree] : {std::pair(test::quadrilateral, 1), {test::quadrilateral, 4}, {test::triangle, 2}})
+    for (const int refinements : {0, 2}) {
+      const auto shell = cap_operator(degree, refinements, shape);
+      for (const std::vector<std::string>& boundaries : {std::vector<std::string>{}, {"rim"}}) {
+        const energy::TotalForce total{.force = force, .boundaries = boundaries};
+        const algebra::Vector found = load_vector(shell, {.totals = {total}});
+        const auto sum = test::total(found);
+        EXPECT_LT((sum.head<3>() - force).norm(), 1e-13 * force.norm());
+        const algebra::Vector even = load_vector(shell, total.spread({0, 0, 1}));
+        const double measure = test::total(even)[2];
+        for (std::size_t i = 0; i < found.owned().size(); i += 6)
+          EXPECT_NEAR(found.owned()[i + 2], force[2] / measure * even.owned()[i + 2], 1e-14);
+        energy::Loads twice{.totals = {total}};
+        twice.scale(2);
+        EXPECT_LT((test::total(load_vector(shell, twice)).head<3>() - 2 * force).norm(), 1e-12);
+      }
+    }
+}
+
 TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {
   const auto shell = cap_operator(2, 1);
   energy::AreaLoad text, function;

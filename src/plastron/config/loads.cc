@@ -29,6 +29,22 @@ energy::VectorExpression vector_or_zero(Table& load, const char* name) {
   return {};
 }
 
+/// Whether the load has a known sum. It has nothing else then.
+bool read_total(Table& load, problem::Problem& problem) {
+  if (!load.has("total")) return false;
+  for (const char* name : {"force", "pressure", "couple", "follows"})
+    if (load.has(name)) load.report_key(name, "a load with a total force has nothing else", "", "write two [[load]]");
+  energy::TotalForce total{.force = load.vector("total").value_or(Eigen::Vector3d::Zero())};
+  if (load.has("boundary") && load.has("region"))
+    load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
+  if (load.has("boundary")) total.boundaries = read_boundaries(load).value_or(std::vector<std::string>{});
+  if (load.has("region"))
+    total.regions = load.name_list("region", "region", load.reading().regions()).value_or(std::vector<std::string>{});
+  total.factor = read_factor_name(load, problem);
+  problem.shell.loads.totals.push_back(std::move(total));
+  return true;
+}
+
 void read_edge_load(Table& load, problem::Problem& problem) {
   const auto boundaries = read_boundaries(load);
   if (load.has("pressure"))
@@ -78,7 +94,8 @@ void read_area_load(Table& load, problem::Problem& problem) {
 std::vector<Section> load_sections() {
   return {{"load",
            "[[load]]",
-           "A load with at least one of force, pressure and couple. It is dead (it keeps its direction and is measured "
+           "A load with at least one of force, pressure and couple, or with a total. It is dead (it keeps its "
+           "direction and is measured "
            "per area of the undeformed shell), unless it follows. It acts per area of the mid-surface, or per length "
            "of a boundary if one is named. Several loads add up.",
            {key("name", Kind::name, {}, "a name for step.factors; loads of the same name have the same factor"),
@@ -88,6 +105,9 @@ std::vector<Section> load_sections() {
                 "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "
                 "with boundary"),
             key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
+            key("total", Kind::vector, {.unit = "N"},
+                "sum of a force that is spread evenly over the area of the surface or of the regions, or over the "
+                "length of the boundaries. On a part of a symmetric shell, the force on this part. Alone"),
             key("pressure", Kind::field, {.unit = "N/m^2"},
                 "force along the normal a3; hydrostatic pressure is an expression of Z. Not on a boundary"),
             key("follows", Kind::boolean, {.fallback = "false"},
@@ -97,8 +117,9 @@ std::vector<Section> load_sections() {
 
 void read_loads(Table& root, problem::Problem& problem) {
   root.in_tables("load", [&](Table& load) {
+    if (read_total(load, problem)) return;
     if (!load.has("force") && !load.has("pressure") && !load.has("couple") && load.other_entries().empty())
-      load.report_here("[[load]] has neither force nor pressure nor couple", "", "add for example force = [0, 0, -1]");
+      load.report_here("[[load]] has no force, pressure, couple or total", "", "add for example force = [0, 0, -1]");
     if (load.has("boundary"))
       read_edge_load(load, problem);
     else

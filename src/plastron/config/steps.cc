@@ -185,8 +185,8 @@ void read_released(Table& table, const problem::Problem& problem, problem::Step&
 bool has_loads(const problem::Problem& problem) {
   const energy::Loads& loads = problem.shell.loads;
   const auto is_loaded = [](const fem::RigidBody& body) { return !body.force.isZero(0) || !body.moment.isZero(0); };
-  return !loads.on_areas.empty() || !loads.on_edges.empty() || !loads.gravity.isZero(0) ||
-         problem.shell.sections.have_initial_strains() || std::ranges::any_of(problem.rigid_bodies, is_loaded);
+  return !loads.empty() || problem.shell.sections.have_initial_strains() ||
+         std::ranges::any_of(problem.rigid_bodies, is_loaded);
 }
 
 /// Reads the envelopes, which are made from the results (io/envelopes.hpp).

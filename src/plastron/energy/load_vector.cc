@@ -270,6 +270,15 @@ algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads) {
     sum.throw_if_not_finite();
   });
   f.accumulate_ghosts();
+  for (const TotalForce& total : loads.totals) {
+    const algebra::Vector unit = forces_of(shell, total.spread({1, 0, 0}));
+    double sum = 0;  // the area or the length
+    for (std::size_t at = 0; at < unit.owned().size(); at += 6) sum += unit.owned()[at];
+    sum = algebra::sum_over_ranks(sum, shell.space().layout->comm);
+    for (std::size_t at = 0; at < unit.owned().size() && sum > 0; at += 6)
+      for (std::size_t k = 0; k < 3; ++k)
+        f.owned()[at + k] += total.force[static_cast<Eigen::Index>(k)] * (unit.owned()[at] / sum);
+  }
   return f;
 }
 
@@ -285,6 +294,7 @@ std::vector<LoadPart> load_parts(const ShellOperator& shell, const Loads& loads)
   std::set<int> factors{-1, loads.gravity_factor};
   for (const AreaLoad& load : loads.on_areas) factors.insert(load.factor);
   for (const EdgeLoad& load : loads.on_edges) factors.insert(load.factor);
+  for (const TotalForce& load : loads.totals) factors.insert(load.factor);
   for (const fem::PlacedBody& placed : shell.space().bodies) factors.insert(placed.body.factor);
   std::vector<LoadPart> parts;
   for (const int factor : factors) {

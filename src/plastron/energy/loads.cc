@@ -1,5 +1,6 @@
 #include <plastron/energy/loads.hpp>
 
+#include <algorithm>
 #include <iterator>
 
 namespace plastron::energy {
@@ -32,17 +33,29 @@ void scale_function(VectorFunction& f, double factor) {
 
 }  // namespace
 
+Loads TotalForce::spread(const Eigen::Vector3d& density) const {
+  VectorExpression p;
+  for (std::size_t k = 0; k < 3; ++k) p[k] = geometry::Expression(density[static_cast<Eigen::Index>(k)]);
+  Loads loads;
+  for (const std::string& boundary : boundaries) loads.on_edges.push_back({.boundary = boundary, .force = p});
+  if (boundaries.empty()) loads.on_areas.push_back({.force = p, .regions = regions});
+  return loads;
+}
+
 void Loads::for_each_expression(const Visit& visit) const { visit_expressions(*this, visit); }
 
 std::vector<std::string> Loads::region_names() const {
   std::vector<std::string> names;
-  for (const AreaLoad& load : on_areas) names.insert(names.end(), load.regions.begin(), load.regions.end());
+  const auto add = [&](const auto& load) { names.insert(names.end(), load.regions.begin(), load.regions.end()); };
+  std::ranges::for_each(on_areas, add);
+  std::ranges::for_each(totals, add);
   return names;
 }
 
 std::vector<std::string> Loads::boundary_names() const {
   std::vector<std::string> names;
   for (const EdgeLoad& load : on_edges) names.push_back(load.boundary);
+  for (const TotalForce& load : totals) names.insert(names.end(), load.boundaries.begin(), load.boundaries.end());
   return names;
 }
 
@@ -51,6 +64,7 @@ Loads Loads::of(int factor) const {
   const auto is_own = [&](const auto& load) { return load.factor == factor; };
   std::ranges::copy_if(on_areas, std::back_inserter(own.on_areas), is_own);
   std::ranges::copy_if(on_edges, std::back_inserter(own.on_edges), is_own);
+  std::ranges::copy_if(totals, std::back_inserter(own.totals), is_own);
   if (gravity_factor == factor) own.gravity = gravity;
   return own;
 }
@@ -62,6 +76,7 @@ void Loads::scale(double factor) {
     scale_function(load.force_function, factor);
     scale_function(load.couple_function, factor);
   }
+  for (TotalForce& load : totals) load.force *= factor;
   gravity *= factor;
 }
 

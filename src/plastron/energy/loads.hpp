@@ -22,6 +22,8 @@ using VectorExpression = std::array<geometry::Expression, 3>;
 /// A load that a program computes itself, as a function of x and y.
 using VectorFunction = std::function<Eigen::Vector3d(double x, double y)>;
 
+struct Loads;
+
 /// Load per unit mid-surface area, dead unless it follows, on the whole surface or on some of its regions.
 struct AreaLoad {
   VectorExpression force{};            ///< p, Cartesian [N/m^2]
@@ -46,6 +48,17 @@ struct EdgeLoad {
   int factor = -1;            ///< see Factors::named
 };
 
+/// Dead force of a known sum, spread evenly over the area of regions or, if boundaries are named, over their length.
+struct TotalForce {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< [N]
+  std::vector<std::string> boundaries{};
+  std::vector<std::string> regions{};  ///< empty: everywhere
+  int factor = -1;                     ///< see Factors::named
+
+  /// Returns the loads of a force per area or length at its place.
+  Loads spread(const Eigen::Vector3d& density) const;
+};
+
 /// Where a load acts: on a boundary or, if that is empty, on regions.
 struct LoadPlace {
   std::string boundary{};
@@ -56,9 +69,11 @@ struct LoadPlace {
 struct Loads {
   std::vector<AreaLoad> on_areas{};
   std::vector<EdgeLoad> on_edges{};
+  std::vector<TotalForce> totals{};
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration g for the weight of the density [m/s^2]
   int gravity_factor = -1;                            ///< see Factors::named
 
+  bool empty() const { return on_areas.empty() && on_edges.empty() && totals.empty() && gravity.isZero(0); }
   /// Receives an expression, its name in messages such as "the z component of a load's force", and its place.
   using Visit = std::function<void(const geometry::Expression& f, const std::string& name, const LoadPlace& place)>;
   void for_each_expression(const Visit& visit) const;
