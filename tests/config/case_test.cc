@@ -229,6 +229,12 @@ TEST(Case, WantsAReportUnlessItRefusesIt) {
   EXPECT_TRUE(parsed("[output]\nreport = true\n").wants_report);
 }
 
+TEST(Case, KnowsWhetherItStatesItsUnits) {
+  EXPECT_FALSE(parsed().problem.output.units.are_stated);
+  for (const char* units : {"length = \"m\"", "force = \"N\"", "length = \"mm\""})
+    EXPECT_TRUE(parsed(std::string("[units]\n") + units + "\n").problem.output.units.are_stated) << units;
+}
+
 TEST(Case, HasWhatFilesOfFieldsAndMomentsAreToBe) {
   const problem::Output plain = parsed().problem.output;
   EXPECT_EQ(plain.solid_layers, 0);

@@ -103,7 +103,8 @@ bool read_output(Table& root, problem::Problem& problem) {
 }
 
 void read_units(Table& root, problem::Problem& problem) {
-  problem.output.units.are_stated = root.in_table("units", [&](Table& units) { units.fill(problem.output.units); });
+  root.in_table("units", [&](Table& units) { units.fill(problem.output.units); });
+  problem.output.units.are_stated = root.has("units");
 }
 
 }  // namespace plastron::config
