@@ -199,7 +199,7 @@ std::optional<assembly::State> Relinearisation::next(const solution::NodalSoluti
   constexpr std::size_t most_iterates = 5;
   constexpr int most_farther = 3;
   constexpr double least_part = 0.0625;
-  constexpr int steps_to_come_near = 10;
+  constexpr int steps_to_come_near = 3;
   if (discrete_.obstacles.are_linear || !has_rows_to_meet(discrete_)) return {};
   const Nearness near = nearness(settings_, discrete_, solution);
   is_met_ = near.is_met();
