@@ -46,7 +46,7 @@ void add_json_log(CLI::App& command, bool& json_log) {
 
 /// Adds -q and --threads for a command that computes.
 void add_computing_options(CLI::App& command, bool& quiet, int& threads) {
-  command.add_flag("-q,--quiet", quiet, "Print errors only");
+  command.add_flag("-q,--quiet", quiet, "Print errors and warnings only");
   command.add_option("--threads", threads, "Threads of each process; 0: as many as the amount of work justifies")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
@@ -219,7 +219,7 @@ CLI::App* add_sweep(CLI::App& program, SweepOptions& options) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   sweep->add_flag("--reports", options.with_reports, "Write report.html for each case");
-  sweep->add_flag("-q,--quiet", options.quiet, "Print errors only");
+  sweep->add_flag("-q,--quiet", options.quiet, "Print errors and warnings only");
   return sweep;
 }
 

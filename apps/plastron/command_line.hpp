@@ -29,7 +29,7 @@ struct Options {
   std::filesystem::path case_file;
   std::filesystem::path output;
   std::vector<std::string> settings{};  ///< settings that replace keys of the case file
-  bool quiet = false;                   ///< print errors only
+  bool quiet = false;                   ///< print errors and warnings only
   int threads = 0;                      ///< for each process; 0: as many as the amount of work justifies
   int buckling = -1;                    ///< modes: number of buckling loads; -1: the case's, or 6
   int vibration = -1;                   ///< modes: number of natural frequencies, likewise
@@ -46,7 +46,7 @@ struct StudyCommand {
   std::filesystem::path case_file;
   std::filesystem::path output;
   std::vector<std::string> settings{};  ///< settings that replace keys of the case file
-  bool quiet = false;                   ///< print errors only
+  bool quiet = false;                   ///< print errors and warnings only
   int threads = 0;                      ///< for each process; 0: as many as the amount of work justifies
   bool json_log = false;                ///< events on standard error
   study::StudyOptions options{};
@@ -60,7 +60,7 @@ struct SweepOptions {
   std::vector<std::string> settings{};  ///< keys with their values, separated by commas
   int jobs = 1;                         ///< cases that are solved at a time
   bool with_reports = false;            ///< whether each case has a report.html
-  bool quiet = false;                   ///< print errors only
+  bool quiet = false;                   ///< print errors and warnings only
 };
 
 /// Options of the commands that compute nothing.

@@ -94,6 +94,39 @@ TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
   EXPECT_THAT(solve(fine, MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("between its nodes"))));
 }
 
+/// A clamped plate 0.02 above a table, in other units, pressed by q times its weight of contact.
+problem::Problem plate_above_table(double scale, double q, double gap = 0.02) {
+  problem::Problem p = with_chart(free_plate(), {"s*x", "s*y", "s*(0.05 + gap)"}, {{"s", scale}, {"gap", gap}});
+  p.shell.sections.common.thickness = Expression(0.1 * scale);
+  for (const char* side : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(clamped(side));
+  p.shell.loads.on_areas = {force(0, 0, -0.01 * q)};
+  p.shell.obstacles.all = {obstacle::Obstacle{}};
+  p.discretisation = {.degree = 2, .refinements = 1};
+  p.checks_model = false;
+  return p;
+}
+
+TEST(Idle, obstacles_are_told_with_the_smallest_gap) {
+  const auto told = [](const problem::Problem& p) { return solve(p, MPI_COMM_SELF).warnings; };
+  for (const double scale : {1e-6, 1.0, 1e6})
+    for (const bool has_bed : {false, true}) {
+      problem::Problem away = plate_above_table(scale, -1);
+      if (has_bed) away.shell.obstacles.all[0].bed = obstacle::Bed(1e-2 / scale);
+      EXPECT_THAT(told(away), Contains(AllOf(HasSubstr("touches no obstacle"),
+                                             HasSubstr(fmt::format("the smallest gap is {:.3g} m", 0.02 * scale)))));
+      problem::Problem pressed = plate_above_table(scale, 1);
+      pressed.shell.obstacles = away.shell.obstacles;
+      EXPECT_THAT(told(pressed), Not(Contains(HasSubstr("touches no obstacle"))));
+    }
+  // The plate lies on the table and is lifted from it; then it has touched in the course of the steps.
+  EXPECT_THAT(told(plate_above_table(1, 0, 0)), Not(Contains(HasSubstr("touches no obstacle"))));
+  problem::Problem steps = plate_above_table(1, 1);
+  steps.steps = {{.name = "down", .factors = {.loads = 1}}, {.name = "up", .factors = {.loads = -1}}};
+  EXPECT_THAT(told(steps), Not(Contains(HasSubstr("touches no obstacle"))));
+  steps.steps[0].factors.loads = -0.5;
+  EXPECT_THAT(told(steps), Contains(AllOf(HasSubstr("touches no obstacle"), HasSubstr("in the end"))));
+}
+
 double difference(const Result& r, const std::string& name) {
   for (const ModelQuantity& q : r.model.value().quantities)
     if (q.name == name) return q.linear / q.finite - 1;

@@ -17,6 +17,8 @@ namespace {
 
 /// Error of the linear model that causes a warning.
 constexpr double notable_model_error = 0.05;
+/// Gap as a part of the thickness below which a shell without reactions lies on an obstacle.
+constexpr double touching_without_force = 1e-3;
 /// Ratio of membrane forces to the buckling forces. Above this value, thin shells with imperfections buckle.
 constexpr double near_buckling = 0.5;
 /// Margin of stability below which an equilibrium counts as nearly critical.
@@ -343,14 +345,14 @@ void idle_warnings(const Result& result, std::vector<std::string>& warnings) {
       std::ranges::any_of(result.history, touches))
     return;
   const auto nearest = std::ranges::min_element(obstacles, {}, &solution::ObstacleContact::least_gap);
-  const std::string gap = std::isfinite(nearest->least_gap)
-                              ? fmt::format("the smallest gap is {:.3g} m at {}{}", nearest->least_gap,
-                                            nearest->least_gap_place, result.history.empty() ? "" : " in the end")
-                              : "none is near";
+  const bool is_searched = std::isfinite(nearest->least_gap);  // near cells only, and no bed
+  const double gap = is_searched ? nearest->least_gap : result.certificate.min_gap_nodes;
+  if (gap < touching_without_force * result.summary.least_thickness) return;
+  const std::string place = is_searched ? fmt::format(" at {}", nearest->least_gap_place) : "";
   warnings.push_back(
-      fmt::format("the shell touches no obstacle: {}; check the signs and sizes of the loads, and on which side of the "
-                  "shell the obstacle lies",
-                  gap));
+      fmt::format("the shell touches no obstacle: the smallest gap is {:.3g} m{}{}; check the signs and sizes of the "
+                  "loads, and on which side of the shell the obstacle lies",
+                  gap, place, result.history.empty() ? "" : " in the end"));
 }
 
 /// Penetration between nodes, lifts that change much of the energy, reactions concentrated on edges, and tolerances that

@@ -92,27 +92,29 @@ void read_area_load(Table& load, problem::Problem& problem) {
 }  // namespace
 
 std::vector<Section> load_sections() {
-  return {{"load",
-           "[[load]]",
-           "A load with at least one of force, pressure and couple, or with a total. It is dead (it keeps its "
-           "direction and is measured "
-           "per area of the undeformed shell), unless it follows. It acts per area of the mid-surface, or per length "
-           "of a boundary if one is named. Several loads add up.",
-           {key("name", Kind::name, {}, "a name for step.factors; loads of the same name have the same factor"),
-            key("boundary", Kind::name_or_names, {},
-                "one or several boundaries of the domain; if not given, the load acts on the surface"),
-            key("region", Kind::name_or_names, {},
-                "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "
-                "with boundary"),
-            key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
-            key("total", Kind::vector, {.unit = "N"},
-                "sum of a force that is spread evenly over the area of the surface or of the regions, or over the "
-                "length of the boundaries. On a part of a symmetric shell, the force on this part. Alone"),
-            key("pressure", Kind::field, {.unit = "N/m^2"},
-                "force along the normal a3; hydrostatic pressure is an expression of Z. Not on a boundary"),
-            key("follows", Kind::boolean, {.fallback = "false"},
-                "true: with finite rotations the pressure acts along the normal and on the area of the deformed shell"),
-            key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian couple, which does work on r")}}};
+  return {
+      {"load",
+       "[[load]]",
+       "A load with at least one of force, pressure and couple, or with a total. It is dead (it keeps its "
+       "direction and is measured "
+       "per area of the undeformed shell), unless it follows. It acts per area of the mid-surface, or per length "
+       "of a boundary if one is named. Several loads add up.",
+       {key("name", Kind::name, {}, "a name for step.factors; loads of the same name have the same factor"),
+        key("boundary", Kind::name_or_names, {},
+            "one or several boundaries of the domain; if not given, the load acts on the surface"),
+        key("region", Kind::name_or_names, {},
+            "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "
+            "with boundary"),
+        key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
+        key("total", Kind::vector, {.unit = "N"},
+            "sum of a force that is spread evenly over the area of the surface or of the regions, or over the "
+            "length of the boundaries, where a curve of two of them counts twice. On a part of a symmetric shell, the "
+            "force on this part. Alone"),
+        key("pressure", Kind::field, {.unit = "N/m^2"},
+            "force along the normal a3; hydrostatic pressure is an expression of Z. Not on a boundary"),
+        key("follows", Kind::boolean, {.fallback = "false"},
+            "true: with finite rotations the pressure acts along the normal and on the area of the deformed shell"),
+        key("couple", Kind::field_vector, {.unit = "N m/m^2, N m/m"}, "Cartesian couple, which does work on r")}}};
 }
 
 void read_loads(Table& root, problem::Problem& problem) {

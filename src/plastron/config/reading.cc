@@ -278,7 +278,7 @@ void report_expression(Reading& reading, const Item& item, const geometry::Expre
   const std::string_view before = std::string_view(text).substr(0, error.position);
   if (const std::size_t last = before.find_last_not_of(' ');
       advice.empty() && last != std::string_view::npos && std::isdigit(static_cast<unsigned char>(before[last])) != 0)
-    advice = "numbers carry no unit: write 210e9 for 210 GPa, or all of the case in other units, which [units] names";
+    advice = "numbers carry no unit: write the value in the units of the case, which [units] names";
   if (std::ranges::count(reading.later_constants, word) > 0)
     advice = fmt::format("\"{}\" is defined below: constants use those above them", word);
   reading.report(place,

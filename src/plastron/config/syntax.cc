@@ -45,6 +45,20 @@ struct Sentence {
   std::string what, advice;
 };
 
+/// Returns advice on what follows a value: a unit, a decimal comma, or `otherwise`.
+std::string after_value(const std::string& text, std::size_t at, const char* otherwise) {
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  const std::size_t next = std::min(text.find_first_not_of(" \t", at), text.size() - 1);
+  const std::size_t last = next > 0 ? text.find_last_not_of(" \t", next - 1) : std::string::npos;
+  if (last == std::string::npos || !(is_digit(last) || text[last] == '.')) return otherwise;
+  if (text[next] == ',' && is_digit(next + 1)) return "a decimal point is a point: 0.5";
+  if (std::isalpha(static_cast<unsigned char>(text[next])) != 0)
+    return "numbers carry no unit; [units] names those of the case";
+  return otherwise;
+}
+
 Sentence about_value(const std::string& text, std::size_t at) {
   const std::string token = up_to(text, at, " \t\r\n#,]}");
   std::string lower = token;
@@ -127,20 +141,15 @@ Sentence translate(const std::string& message, const std::string& text, std::siz
   if (says("missing curly brace")) return {"expected } at the end of the table", "a table { ... } stands on one line"};
   if (says("empty key")) return {"the key is missing before =", ""};
   if (says("missing array separator"))
-    return {"expected a comma or ] in the list", "text and expressions stand in quotes"};
+    return {"expected a comma or ] in the list", after_value(text, at, "text and expressions stand in quotes")};
   if (says("invalid format appeared in an array"))
     return {"this is not a value", "the list has a comma or a word without quotes too much"};
   if (says("trailing comma")) return {"a table in braces has no comma before its }", ""};
   if (says("missing table separator"))
     return {"expected a comma or } in the table", "text and expressions stand in quotes"};
-  if (says("invalid line format")) {
-    const std::string rest = up_to(text, at, "\r\n");
-    const bool is_unit = at > 0 && std::isdigit(static_cast<unsigned char>(text[at - 1])) != 0 && !rest.empty() &&
-                         std::isalpha(static_cast<unsigned char>(rest[0])) != 0;
-    return {fmt::format("unexpected \"{}\" after the value", rest),
-            is_unit ? "numbers carry no unit; [units] names those of the case"
-                    : "text and expressions stand in quotes, and every key has its own line"};
-  }
+  if (says("invalid line format"))
+    return {fmt::format("unexpected \"{}\" after the value", up_to(text, at, "\r\n")),
+            after_value(text, at, "text and expressions stand in quotes, and every key has its own line")};
   if (says("newline required after")) return {"unexpected text after the section header", ""};
   if (says("invalid key") || says("unknown line")) return about_key(text, at);
   if (says("date") || says("time")) return {"this is no value", "text and expressions stand in quotes"};

@@ -146,8 +146,11 @@ class ChartCheck {
       examined_.add(Severity::error,
                     "the shell is too thick for its curvature at {}: thickness {:g} times largest "
                     "curvature {:g}, halved, is {:.3g} and must stay below 1; reduce the thickness or curve the "
-                    "surface less there",
-                    examined_.place({x, y}), e, 2 * bending / e, bending);
+                    "surface less there{}",
+                    examined_.place({x, y}), e, 2 * bending / e, bending,
+                    examined_.surface->has_directors()
+                        ? "; a mesh with few cells over a fillet is curved more than the part: mesh it finer there"
+                        : "");
       return false;
     }
     thinnest_ = std::min(thinnest_, e);

@@ -30,7 +30,8 @@ void check_names(Examined& examined) {
   const auto check = [&](const std::string& name, const std::vector<std::string>& known, const char* what) {
     if (std::ranges::find(known, name) == known.end())
       examined.add(Severity::error, "{} \"{}\", which the mesh does not have; it has: {}", what, name,
-                   fmt::join(known, ", "));
+                   known.empty() ? "no names; Physical Surface and Physical Curve of Gmsh give some"
+                                 : fmt::format("{}", fmt::join(known, ", ")));
   };
   for (const auto& [name, section] : examined.problem.shell.sections.regions)
     check(name, mesh.regions, "a thickness, material, density or temperature is given for the region");

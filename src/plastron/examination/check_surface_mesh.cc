@@ -57,7 +57,7 @@ void report_cells(Findings& findings, const domain::FileSurface& surface, const 
 
 /// Warns of a closed surface whose sides are so near to each other that it is the skin of a thin solid.
 void report_skin(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary) {
-  constexpr double thin = 0.04;  // balls have 0.27, slender tubes and lenses 0.05 and more
+  constexpr double thin = 0.035;  // balls have 0.27, slender tubes, rings and lenses more than this
   if (!summary.is_closed || surface.topology.components.size() != 1) return;
   Eigen::Vector3d extents = summary.high - summary.low;
   std::ranges::sort(extents);
