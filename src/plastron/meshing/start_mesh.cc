@@ -283,8 +283,15 @@ std::string describe(const StartMesh& mesh, const problem::Problem& problem) {
   const std::string finest =
       d.refinements == 0 ? "" : fmt::format(", {} after {} refinements", unknowns(d.refinements), d.refinements);
   const int degree = recommended_degree(problem);
+  constexpr std::int64_t many = 500'000;  // minutes on two cores, and finer meshes follow
+  const bool is_large = problem.accuracy && d.degree > 2 && unknowns(0) > many;
   const std::string advice =
-      problem.accuracy || degree == d.degree ? "" : fmt::format("; degree {} is recommended", degree);
+      is_large ? fmt::format(
+                     "; this is a large first mesh: cells of degree {} may be as large as the part's details, "
+                     "or write degree = 2 in [mesh] beside [accuracy]",
+                     d.degree)
+      : problem.accuracy || degree == d.degree ? ""
+                                               : fmt::format("; degree {} is recommended", degree);
   return fmt::format("{}; {} cells, {} unknowns of degree {}{}{}", what, mesh.coarse.cells.size(), unknowns(0),
                      d.degree, finest, advice);
 }
