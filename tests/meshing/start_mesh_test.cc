@@ -152,5 +152,20 @@ TEST(StartMesh, IsDescribedWithItsRowsAndItsSize) {
   EXPECT_EQ(meshing::describe(meshing::start_mesh(plain), plain), "");
 }
 
+TEST(StartMesh, ThatIsLargeIsToldWhereMeshesFollowFromAnAccuracy) {
+  problem::Problem p = saddle(1e-2);
+  p.domain = domain::Rectangle{.cells = {100, 90}};
+  p.accuracy = problem::Accuracy{};
+  const auto is_large = [&] {
+    return meshing::describe(meshing::start_mesh(p), p).find("large first mesh") != std::string::npos;
+  };
+  EXPECT_TRUE(is_large());
+  p.discretisation.degree = 2;
+  EXPECT_FALSE(is_large());
+  p.discretisation.degree = 4;
+  p.domain = domain::Rectangle{.cells = {40, 40}};
+  EXPECT_FALSE(is_large());
+}
+
 }  // namespace
 }  // namespace plastron::computation
