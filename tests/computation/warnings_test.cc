@@ -94,12 +94,12 @@ TEST(Penetration, between_nodes_is_told_where_the_mesh_is_too_coarse) {
   EXPECT_THAT(solve(fine, MPI_COMM_SELF).warnings, Not(Contains(HasSubstr("between its nodes"))));
 }
 
-/// A clamped plate 0.02 above a table, in other units, pressed by q times its weight of contact.
+/// A clamped plate above a table, in other units, under q times a load that would bend it by seven times the gap of 0.02.
 problem::Problem plate_above_table(double scale, double q, double gap = 0.02) {
   problem::Problem p = with_chart(free_plate(), {"s*x", "s*y", "s*(0.05 + gap)"}, {{"s", scale}, {"gap", gap}});
   p.shell.sections.common.thickness = Expression(0.1 * scale);
   for (const char* side : {"left", "right", "bottom", "top"}) p.shell.supports.push_back(clamped(side));
-  p.shell.loads.on_areas = {force(0, 0, -0.01 * q)};
+  p.shell.loads.on_areas = {force(0, 0, -0.01 * q * p.shell.sections.common.material.young())};
   p.shell.obstacles.all = {obstacle::Obstacle{}};
   p.discretisation = {.degree = 2, .refinements = 1};
   p.checks_model = false;
@@ -111,7 +111,8 @@ TEST(Idle, obstacles_are_told_with_the_smallest_gap) {
   for (const double scale : {1e-6, 1.0, 1e6})
     for (const bool has_bed : {false, true}) {
       problem::Problem away = plate_above_table(scale, -1);
-      if (has_bed) away.shell.obstacles.all[0].bed = obstacle::Bed(1e-2 / scale);
+      if (has_bed)
+        away.shell.obstacles.all[0].bed = obstacle::Bed(1e-2 * away.shell.sections.common.material.young() / scale);
       EXPECT_THAT(told(away), Contains(AllOf(HasSubstr("touches no obstacle"),
                                              HasSubstr(fmt::format("the smallest gap is {:.3g} m", 0.02 * scale)))));
       problem::Problem pressed = plate_above_table(scale, 1);
