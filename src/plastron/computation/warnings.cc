@@ -348,7 +348,8 @@ void idle_warnings(const Result& result, std::vector<std::string>& warnings) {
   const bool is_searched = std::isfinite(nearest->least_gap);  // near cells only, and no bed
   const double gap = is_searched ? nearest->least_gap : result.certificate.min_gap_nodes;
   if (gap < touching_without_force * result.summary.least_thickness) return;
-  const std::string place = is_searched ? fmt::format(" at {}", nearest->least_gap_place) : "";
+  const std::string place =
+      is_searched ? fmt::format(" at {}", nearest->least_gap_place) : " at the nodes that can move";
   warnings.push_back(
       fmt::format("the shell touches no obstacle: the smallest gap is {:.3g} m{}{}; check the signs and sizes of the "
                   "loads, and on which side of the shell the obstacle lies",
