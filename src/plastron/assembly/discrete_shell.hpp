@@ -100,8 +100,8 @@ struct DiscreteShell {
   energy::Energies motion_energies(const algebra::Vector& y) const;
   /// Whether some load follows the shell.
   bool has_follower_pressure() const;
-  /// Returns the following pressures on a cell at the factors of the state, times quadrature weight; empty where there are none, as
-  /// with small rotations.
+  /// Returns the following pressures on a cell at the factors of the state, times quadrature weight. The result is empty on a cell without
+  /// such loads, and with small rotations.
   Eigen::VectorXd follower_pressure(std::size_t cell) const;
   /// Returns a point of the shell after a motion (u, r). With small rotations r . a_3 moves no face.
   obstacle::ShellPoint shell_point(const Vector3d& phi, const Vector3d& a3, double thickness,

@@ -29,17 +29,20 @@ energy::VectorExpression vector_or_zero(Table& load, const char* name) {
   return {};
 }
 
+/// Returns the regions that a load or a temperature names; empty: everywhere.
+std::vector<std::string> regions_of(Table& table) {
+  if (!table.has("region")) return {};
+  return table.name_list("region", "region", table.reading().regions()).value_or(std::vector<std::string>{});
+}
+
 /// Whether the load has a known sum. It has nothing else then.
 bool read_total(Table& load, problem::Problem& problem) {
   if (!load.has("total")) return false;
   for (const char* name : {"force", "pressure", "couple", "follows"})
     if (load.has(name)) load.report_key(name, "a load with a total force has nothing else", "", "write two [[load]]");
   energy::TotalForce total{.force = load.vector("total").value_or(Eigen::Vector3d::Zero())};
-  if (load.has("boundary") && load.has("region"))
-    load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
   if (load.has("boundary")) total.boundaries = read_boundaries(load).value_or(std::vector<std::string>{});
-  if (load.has("region"))
-    total.regions = load.name_list("region", "region", load.reading().regions()).value_or(std::vector<std::string>{});
+  total.regions = regions_of(load);
   total.factor = read_factor_name(load, problem);
   problem.shell.loads.totals.push_back(std::move(total));
   return true;
@@ -52,8 +55,6 @@ void read_edge_load(Table& load, problem::Problem& problem) {
                     "an edge is loaded by force = [x, y, z] per length");
   if (load.has("follows"))
     load.report_key("follows", "a load on a boundary does not follow the shell", "", "remove follows");
-  if (load.has("region"))
-    load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
   const energy::EdgeLoad result{.boundary = "",
                                 .force = vector_or_zero(load, "force"),
                                 .couple = vector_or_zero(load, "couple"),
@@ -82,8 +83,7 @@ void read_area_load(Table& load, problem::Problem& problem) {
     result.pressure = load.field("pressure").value_or(geometry::Expression{});
   else
     load.effective["pressure"] = 0.0;
-  if (load.has("region"))
-    result.regions = load.name_list("region", "region", load.reading().regions()).value_or(std::vector<std::string>{});
+  result.regions = regions_of(load);
   result.follows = load.boolean("follows").value_or(false);
   check_follower(load, result, problem);
   problem.shell.loads.on_areas.push_back(std::move(result));
@@ -119,6 +119,8 @@ std::vector<Section> load_sections() {
 
 void read_loads(Table& root, problem::Problem& problem) {
   root.in_tables("load", [&](Table& load) {
+    if (load.has("boundary") && load.has("region"))
+      load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
     if (read_total(load, problem)) return;
     if (!load.has("force") && !load.has("pressure") && !load.has("couple") && load.other_entries().empty())
       load.report_here("[[load]] has no force, pressure, couple or total", "", "add for example force = [0, 0, -1]");
@@ -190,9 +192,7 @@ void read_temperatures(Table& root, problem::Problem& problem) {
     temperature.factor = read_factor_name(table, problem);
     if (!table.has("mean") && !table.has("difference"))
       table.report_here("[[temperature]] has neither mean nor difference", "", "add for example mean = 50");
-    std::vector<std::string> regions;
-    if (table.has("region"))
-      regions = table.name_list("region", "region", table.reading().regions()).value_or(std::vector<std::string>{});
+    const std::vector<std::string> regions = regions_of(table);
     if (root.reading().mistakes.empty() && !expands(regions, sections))
       table.report_here("[[temperature]] strains nothing: no material there has an expansion", "",
                         "add expansion = 1.2e-5 to [shell] or to the [[material]]");

@@ -1,4 +1,4 @@
-// Checks elements and thickness: where elements without tying lock, where rounding hides the solution, and where one director
+// Checks elements, thickness and materials: where elements without tying lock, where rounding hides the solution, moduli that no material has, and where one director
 // does not describe a laminate.
 #include <plastron/computation/warnings.hpp>
 #include <plastron/examination/checks.hpp>
