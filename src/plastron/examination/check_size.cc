@@ -1,5 +1,5 @@
-// Checks elements, thickness and materials: where elements without tying lock, where rounding hides the solution, moduli that no material has, and where one director
-// does not describe a laminate.
+// Checks elements, thickness and materials: where elements without tying lock, where rounding hides the solution, where no material
+// has the modulus or the density, and where one director does not describe a laminate.
 #include <plastron/computation/warnings.hpp>
 #include <plastron/examination/checks.hpp>
 #include <plastron/meshing/sizes.hpp>
