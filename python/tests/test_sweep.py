@@ -243,6 +243,14 @@ print(set(table["status"]))
         table = plastron.sweep(plastron.Case.read(strip_file), {"support[0].fix": [["u", "r"], ["u.x"]]}, workers=1)
         assert table.to_csv() == (tmp_path / "out/table.csv").read_text()
 
+    @pytest.mark.parametrize("jobs", [1, 2])
+    def test_messages_of_a_member_stand_below_its_folder_and_its_values(self, strip_file, tmp_path, jobs):
+        words = ["--set", 'support[0].fix=["u", "r"],["u.x"],["u.y"]', "--output", "out", "--jobs", jobs]
+        told = command("sweep", strip_file, *words, directory=tmp_path).stderr
+        parts = re.split(r"^(out/\d{4}) \((.*)\):$", told, flags=re.M)
+        assert set(zip(parts[1::3], parts[2::3])) == {("out/0002", 'support[0].fix=["u.x"]'), ("out/0003", 'support[0].fix=["u.y"]')}
+        assert not parts[0].strip() and all("error: " in text for text in parts[3::3])
+
     def test_the_table_over_texts_is_that_of_the_program(self, strip_file, tmp_path):
         words = ["--set", 'shell.thickness="0.04 + 0.01*x",0.05', "--output", "out", "--quiet"]
         assert command("sweep", strip_file, *words, directory=tmp_path).returncode == 0

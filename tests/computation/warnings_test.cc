@@ -129,6 +129,22 @@ TEST(Idle, obstacles_are_told_with_the_smallest_gap) {
   EXPECT_THAT(told(steps), Contains(AllOf(HasSubstr("touches no obstacle"), HasSubstr("in the end"))));
 }
 
+/// A plate that bends over a cylinder under a load of the wrong unit.
+TEST(LinearModel, that_turns_the_shell_beyond_any_sense_ends_soon) {
+  problem::Problem p = plate_above_table(1, 1e6);
+  p.shell.supports = {clamped("left")};
+  p.shell.obstacles.all[0].shape = obstacle::Cylinder{.point = {0.6, 0, -0.5}, .axis = {0, 1, 0}, .radius = 0.5};
+  p.discretisation.refinements = 0;
+  problem::Accuracy accuracy;
+  accuracy.goals = {{"energy", 1e-3}};
+  p.accuracy = accuracy;
+  const Result result = solve(p, MPI_COMM_SELF);
+  EXPECT_EQ(result.status, Status::gap_not_met);
+  EXPECT_THAT(status_text(result), HasSubstr("check E, the loads and their units"));
+  ASSERT_EQ(result.levels.size(), 1U);
+  EXPECT_LE(result.levels[0].linearisations, 3);
+}
+
 double difference(const Result& r, const std::string& name) {
   for (const ModelQuantity& q : r.model.value().quantities)
     if (q.name == name) return q.linear / q.finite - 1;
