@@ -139,8 +139,8 @@ TEST(LinearModel, that_turns_the_shell_beyond_any_sense_ends_soon) {
   accuracy.goals = {{"energy", 1e-3}};
   p.accuracy = accuracy;
   const Result result = solve(p, MPI_COMM_SELF);
-  EXPECT_EQ(result.status, Status::gap_not_met);
-  EXPECT_THAT(status_text(result), HasSubstr("check E, the loads and their units"));
+  EXPECT_NE(result.status, Status::solved);
+  EXPECT_THAT(result.warnings, Contains(HasSubstr("correct E, the loads or their units")));
   ASSERT_EQ(result.levels.size(), 1U);
   EXPECT_LE(result.levels[0].linearisations, 3);
 }

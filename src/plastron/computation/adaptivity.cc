@@ -115,9 +115,9 @@ std::string AccuracyLoop::limit_of_meshes(const Level& level, std::int64_t added
   if (std::string limit = unsettled(constants.unlimited_changes, constants.unlimited_decay); !limit.empty())
     return limit;
   if (std::string limit = stalled(); !limit.empty()) return limit;
-  if (level.status == contact::Status::gap_not_met && level.max_rotation > meaningless_rotation)
-    return fmt::format("the linear model turns the shell by {:.2g} rad; correct E, the loads or their units",
-                       level.max_rotation);
+  const bool lacks_the_contact = std::isinf(excesses_.back());  // or estimates
+  if (lacks_the_contact && level.max_rotation > meaningless_rotation)
+    return "finer meshes do not bring a linear model into contact that turns the shell beyond any sense";
   if (added == 0) return "the cells to divide are as small as can be";
   const bool is_unseen = missed_.empty() && space.shape() == mesh::Shape::quadrilateral;  // witness is missing
   double growth = 1 + static_cast<double>(added) / static_cast<double>(space.global_cells);

@@ -1,5 +1,6 @@
 #include <plastron/computation/warnings.hpp>
 
+#include <plastron/computation/relinearisation.hpp>
 #include <plastron/meshing/sizes.hpp>
 
 #include <fmt/format.h>
@@ -172,6 +173,13 @@ void linear_model_warnings(const problem::Problem& problem, const Result& result
     else if (result.model->largest() > notable_model_error)
       warnings.push_back(linear_model_text(problem, result));
   }
+  const bool lacks_contact =
+      result.status == contact::Status::gap_not_met || result.status == contact::Status::inaccurate;
+  if (lacks_contact && result.summary.max_rotation > meaningless_rotation)
+    warnings.push_back(
+        fmt::format("the linear model turns the shell by {:.2g} rad, and no gap means anything there; correct E, the "
+                    "loads or their units",
+                    result.summary.max_rotation));
   double buckling = result.levels.empty() ? 0 : result.last_level().buckling.value_or(0);
   std::string when;
   for (const HistoryEntry& instant : result.history)
