@@ -3,11 +3,13 @@
 #include "console.hpp"
 #include "terminal.hpp"
 
+#include <plastron/domain/cad_mesh.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/report/surface_page.hpp>
 #include <plastron/report/surface_parts.hpp>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <numbers>
 
@@ -57,6 +59,13 @@ ExitCode write_page(const std::string& path, const report::SurfacePage& page) {
   return solved;
 }
 
+/// All faces of a CAD file, in mm times the scale. Numbers of a file without units are taken for mm.
+std::string cad_job(const PartsOptions& options) {
+  nlohmann::json job{{"unit", 1e-3 / options.scale}, {"default_unit", 1e-3}};
+  if (options.size > 0) job["size"] = options.size;
+  return job.dump();
+}
+
 }  // namespace
 
 ExitCode parts(const PartsOptions& options) {
@@ -70,13 +79,17 @@ ExitCode parts(const PartsOptions& options) {
   domain::SpaceReading reading{.scale = options.scale};
   if (options.size > 0) reading.size = options.size;
   if (options.smooth > 0) reading.smooth_angle = options.smooth * std::numbers::pi / 180;
-  const domain::FileSurface surface = domain::read_surface({.path = options.file, .in_space = reading}, {});
+  domain::MeshFile file{.path = options.file, .in_space = reading};
+  const bool is_part = domain::is_cad_file(options.file);
+  if (is_part) file.cad_job = cad_job(options);
+  const domain::FileSurface surface = domain::read_surface(file, {});
   const auto findings = examination::surface_findings(surface);
   const auto regions = report::region_parts(surface);
   const auto curves = report::curve_parts(surface);
-  set_unit_names({.length = "units"});  // a file of a mesh names none
+  // A file of a mesh names no units; lengths of a CAD file are converted.
+  set_unit_names({.length = is_part && options.scale == 1 ? "mm" : "units"});
   if (is_first_rank()) {
-    print("{}, lengths in the units of the file{}\n", options.file,
+    print("{}, lengths in {}{}\n", options.file, is_part ? "mm" : "the units of the file",
           options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale));
     print_findings(findings, options.file, true);
     print_regions(regions);

@@ -53,6 +53,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_imperfections(root, result.problem);
   read_shell(root, result.problem);
   read_regions(root, result.problem);
+  read_boundaries(root);
   read_mesh(root, result.problem);
   read_joins(root, result.problem);
   read_rigid_bodies(root, result.problem);
@@ -76,6 +77,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   check_control(root, result.problem);
   root.effective = effective;
   read_units(root, result.problem);
+  complete_part(root, result.problem);
   result.wants_report = read_output(root, result.problem);
   if (reading.more_mistakes)
     reading.mistakes.push_back(

@@ -1,6 +1,7 @@
 // Reads [geometry]: the domain and its charts.
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
+#include <plastron/domain/cad_mesh.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/geometry/triangle_mesh.hpp>
 
@@ -104,12 +105,19 @@ std::vector<Section> geometry_sections() {
         key("file", Kind::text, {},
             "instead of domain and chart: a mesh in space, whose quadrilaterals or triangles are the mid-surface. A "
             "Gmsh file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical "
-            "curves name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. Facets "
-            "(.stl, .obj, .ply) are remeshed, with the error that facets have: methods/surface-meshes.md"),
+            "curves name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. A CAD file "
+            "(.step, .stp, .brep) is meshed on its true faces: methods/cad.md. Facets (.stl, .obj, .ply) are remeshed, "
+            "with the error that facets have: methods/surface-meshes.md"),
+        key("unit", &SpaceReading::file_unit,
+            {{"m", 1.0}, {"dm", 0.1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}, {},
+            "of a CAD file: the unit of its lengths. Only where the file does not name one, or names a wrong one. "
+            "Lengths are converted to the length of [units], or to m"),
+        key("faces", Kind::table, {.shorthand = Kind::name_or_names},
+            "of a CAD file: the faces that are the shell; also written as a name or a list of names. If not given, all"),
         key("size", &SpaceReading::size, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
-            "sides of the cells that are made from facets. If not given: about 2000 quadrilaterals on the surface, "
-            "or smaller ones where these fold at small features. "
+            "sides of the cells that are made on faces of a CAD file or from facets. If not given: about 400 on a part, "
+            "2000 for facets, or smaller ones where these fold at small features. "
             "`plastron check` prints it"),
         key("scale", &SpaceReading::scale, {.fallback = "1", .range = Range::positive()},
             "factor from the lengths of the file to those of the case: 1e-3 for a file in millimetres"),
@@ -150,20 +158,31 @@ std::optional<domain::Domain> read_file(Table& geometry) {
   reading.offset.part = geometry.number("offset").value_or(0);
   const auto path = read_mesh_path(geometry, "file");
   if (!path || !is_right) return {};
-  if (reading.size && !geometry::is_triangle_file(*path)) {
+  const bool is_part = domain::is_cad_file(*path);
+  if (is_part && geometry.has("scale"))
+    geometry.report_key("scale", "a CAD file has a unit, from which its lengths are converted", "",
+                        "remove scale, and write [units] with length = \"mm\" to compute in mm");
+  if (is_part && geometry.has("folds"))
+    geometry.report_key("folds", "folds of a CAD file are edges where its faces meet at an angle above smooth", "",
+                        "remove folds");
+  if (!is_part && geometry.has("unit"))
+    geometry.report_key("unit", "unit is for CAD files; a mesh has numbers only", "", "write scale = 1e-3 for a mesh in mm");
+  if (reading.size && !is_part && !geometry::is_triangle_file(*path)) {
     geometry.report("size",
                     fmt::format("size is given, but {} is a mesh, whose cells are taken as they are",
                                 std::filesystem::path(*path).filename().string()),
-                    "size only with facets: .stl, .obj, .ply", "remove size, or mesh the part with other cells");
+                    "size only with CAD files and facets: .step, .brep, .stl, .obj, .ply", "remove size, or mesh the part with other cells");
     return {};
   }
   file.path = *path;
   file.in_space = std::move(reading);
+  geometry.reading().domain = file;
+  read_chosen_faces(geometry);
   return file;
 }
 
 void refuse_keys_of_files(const Table& geometry) {
-  for (const char* name : {"scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
+  for (const char* name : {"unit", "faces", "scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
     if (geometry.has(name))
       geometry.report_key(name, fmt::format("{} is a key of a mesh in space", name), "",
                           "name the mesh: file = \"part.msh\"");

@@ -43,6 +43,16 @@ void read_geometry(Table& root, problem::Problem& problem);
 /// Sets the planes of symmetry and the thickness, on which a mesh in space depends. Call it after shell, regions and
 /// supports.
 void complete_geometry(problem::Problem& problem);
+
+/// Returns [[boundary]] and the selectors of faces and edges.
+std::vector<Section> cad_sections();
+/// Reads `faces` of [geometry] and of a [[region]], and [[boundary]], into Reading::part.
+void read_chosen_faces(Table& geometry);
+void read_faces_of_region(Table& region, const std::optional<std::string>& name);
+void read_boundaries(Table& root);
+/// Writes the job for plastron-cad. Call it after [units], to which lengths are converted.
+void complete_part(Table& root, problem::Problem& problem);
+
 std::vector<Section> imperfection_sections();
 /// Reads the imperfections. Those in expressions of x and y become part of the charts. Call it after [geometry].
 void read_imperfections(Table& root, problem::Problem& problem);

@@ -67,6 +67,8 @@ Section region_section() {
           "own cell. The gap at a node uses the largest thickness.",
           {key("name", Kind::name, {.required = true, .example = "\"stiff\""},
                "a region of the domain that no other [[region]] names"),
+           key("faces", Kind::table, {.shorthand = Kind::name_or_names},
+               "of a CAD file: the faces of the region; also written as a name or a list of names"),
            key("thickness", &CrossSection::thickness, {.unit = "m", .range = Range::positive()}, "the thickness e"),
            key("E", Kind::number, {.unit = "Pa", .range = Range::positive()}, "Young's modulus, together with nu"),
            key("nu", Kind::number, {.range = poisson_range}, "Poisson's ratio, together with E"),
@@ -174,9 +176,10 @@ void choose_shear_correction(const Table& root, Material& material) {
 
 /// Reads a cross-section of a region. Its initial values are the values of [shell].
 void read_own(Table& region, CrossSection& section) {
-  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density") && !region.has("expansion"))
+  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density") && !region.has("expansion") &&
+      !region.has("faces"))
     region.report_here("[[region]] has nothing of its own",
-                       "thickness, E and nu, lambda and mu, material, expansion, density",
+                       "thickness, E and nu, lambda and mu, material, expansion, density; faces of a CAD file",
                        "give one of them, or leave the region out: it is like [shell] anyway");
   read_material(region, "[[region]]", section.material);
   region.fill(section);
@@ -264,6 +267,7 @@ void read_regions(Table& root, problem::Problem& problem) {
   root.in_tables("region", [&](Table& region) {
     const auto name = region.known_name("name", "region", root.reading().regions());
     CrossSection section = problem.shell.sections.common;
+    read_faces_of_region(region, name);
     read_own(region, section);
     choose_shear_correction(root, section.material);
     if (name && !problem.shell.sections.regions.emplace(*name, std::move(section)).second)

@@ -60,6 +60,7 @@ struct Offset {
 /// How the cells of a file become a mid-surface in space.
 struct SpaceReading {
   double scale = 1;                 ///< factor from the lengths of the file to the lengths of the case
+  double file_unit = 0;             ///< unit of the lengths of a CAD file [m]; 0: the one that the file names
   std::optional<Vector3d> upper{};  ///< side to which a_3 points; else outwards, or as in the file
   /// Largest angle of an edge that is no fold [rad]; default by the order of the cells.
   std::optional<double> smooth_angle{};
@@ -71,13 +72,21 @@ struct SpaceReading {
   bool has_slits = false;  ///< whether edges may run beside each other without being joined
 };
 
-/// A file of quadrilaterals or triangles (order 1 or higher): Gmsh's .msh; in space also .inp of Abaqus and CalculiX, and
-/// facets (.stl, .obj, .ply), which are remeshed.
+/// The mesh of a CAD file: its cells have positions and normals of the part, which is not asked again.
+struct FrozenMesh {
+  std::string text{};     ///< of a .msh file
+  std::string failure{};  ///< why there is none
+};
+
+/// A file of quadrilaterals or triangles (order 1 or higher): Gmsh's .msh; in space also .inp of Abaqus and CalculiX,
+/// facets (.stl, .obj, .ply), which are remeshed, and CAD files (.step, .stp, .brep), which are meshed.
 /// Physical curves name the boundaries, physical surfaces the regions.
 struct MeshFile {
   std::string path;
   std::optional<SpaceReading>
       in_space{};  ///< set if the cells are the mid-surface; else they lie in the plane of Omega
+  std::string cad_job{};  ///< of a CAD file: what plastron-cad is asked for, as JSON (apps/cad/job.hpp)
+  std::shared_ptr<const FrozenMesh> frozen{};  ///< of a CAD file, if already made (with_shared_mesh, or kept results)
   /// Mesh if already read (with_shared_mesh); otherwise coarse_mesh() reads the file.
   std::shared_ptr<const mesh::CoarseMesh> mesh{};
 };

@@ -70,6 +70,8 @@ struct MeshData {
   std::map<std::pair<int, int>, std::string> names{};            ///< name by (dimension, group)
   /// Unit normals of the surface at nodes, given by the file: one entry for each node, or none at all.
   std::vector<std::optional<Eigen::Vector3d>> normals{};
+  /// Normals of the surface at the nodes of each element, as `element_nodes`; zero where there are none. Empty: none at all.
+  std::vector<Eigen::Vector3d> element_normals{};
   std::map<std::string, std::vector<std::int64_t>> point_sets{};  ///< named points: indices into `nodes`
   std::vector<std::string> notes{};     ///< for the user: contents of the file that are not read, one sentence each
   std::vector<std::string> warnings{};  ///< for the user: flaws of the file that can be computed with
@@ -78,6 +80,8 @@ struct MeshData {
 /// Reads a .msh file of Gmsh, format 2.0 to 2.2 or 4.1 as text. Throws DomainError with the file, the line and the
 /// mistake.
 MeshData read_msh_file(const std::string& path);
+/// The same for the text of a file; `path` names it in messages.
+MeshData read_msh_text(const std::string& path, std::string text);
 /// Reads the mesh of an Abaqus or CalculiX input file (inp_file.cc has the rules). Throws DomainError with the file, the
 /// line and the mistake.
 MeshData read_inp_file(const std::string& path);

@@ -182,9 +182,7 @@ void Version4::element_block() {
 
 class Reader {
  public:
-  explicit Reader(const std::string& path) : text_(path, "mesh file", geometry::Lines::end_words) {
-    data_.source = path;
-  }
+  explicit Reader(TextFile text) : text_(std::move(text)) { data_.source = text_.path(); }
 
   MeshData read() {
     const bool is_version_2 = header();
@@ -227,9 +225,9 @@ class Reader {
     const bool is_step = text_.line().starts_with("ISO-10303-21");
     if (is_step || text_.line().starts_with("DBRep_") || text_.line().starts_with("CASCADE Topology"))
       text_.refuse(
-          fmt::format("it is a {} file, a drawing and no mesh: open it in Gmsh, keep or make the mid-surface, mesh it "
-                      "with -2 and save the mesh as .msh",
-                      is_step ? "STEP" : "BREP"));
+          fmt::format("it is a {0} file and no mesh: let its name end with .{1}, and name it as file = \"part.{1}\" in "
+                      "[geometry]",
+                      is_step ? "STEP" : "BREP", is_step ? "step" : "brep"));
     if (text_.line() != "$MeshFormat")
       text_.refuse(
           fmt::format("it is no Gmsh mesh file: it begins with \"{}\" and not with $MeshFormat; save the mesh "
@@ -277,8 +275,71 @@ class Reader {
     if (name == "PhysicalNames") read_names(text_, data_);
     if (name == "Nodes") version.nodes();
     if (name == "Elements") version.elements();
-    if (!is_read(name)) return false;
+    if (name == "Notes") read_notes();
+    if (name == "ElementNodeData" && !read_normals()) return false;
+    if (!is_read(name) && name != "Notes" && name != "ElementNodeData") return false;
     end(name);
+    return true;
+  }
+
+  /// Sentences for the user, in files that Plastron writes.
+  void read_notes() {
+    text_.expect_line("the number of notes");
+    const std::size_t count = text_.count("the number of notes", 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      text_.expect_line("a note");
+      if (!is_printable(text_.line())) text_.refuse("a note has characters that cannot be printed");
+      data_.notes.emplace_back(text_.line());
+    }
+    text_.skip_rest_of_line();
+  }
+
+  /// Reads data of elements at their nodes with the name "normal": normals of the surface from which the mesh was made.
+  /// Returns false if the section has other data.
+  bool read_normals() {
+    text_.expect_line("the number of names");
+    const std::size_t names = text_.count("the number of names", 1);
+    for (std::size_t i = 0; i < names; ++i) {
+      text_.expect_line("a name");
+      if (i == 0 && text_.line() != "\"normal\"") return false;
+      text_.skip_rest_of_line();
+    }
+    text_.expect_line("the number of real numbers");
+    const std::size_t reals = text_.count("the number of real numbers", 1);
+    for (std::size_t i = 0; i < reals; ++i) {
+      text_.expect_line("a number");
+      text_.real("a number");
+    }
+    text_.expect_line("the number of whole numbers");
+    const std::size_t integers = text_.count("the number of whole numbers", 1);
+    std::int64_t components = 0;
+    std::size_t elements = 0;
+    for (std::size_t i = 0; i < integers; ++i) {
+      text_.expect_line("a number");
+      if (i == 2)
+        elements = text_.count("the number of elements with normals", 8);
+      else if (const std::int64_t number = text_.integer("a number"); i == 1)
+        components = number;
+    }
+    if (components != 3) text_.refuse("normals have three components each");
+    std::map<std::int64_t, const MeshElement*> by_tag;
+    for (const MeshElement& element : data_.elements)
+      if (element_type(element.type)->is_cell()) by_tag[element.tag] = &element;
+    data_.element_normals.assign(data_.element_nodes.size(), Eigen::Vector3d::Zero());
+    for (std::size_t i = 0; i < elements; ++i) {
+      text_.expect_line("the normals of an element");
+      const std::int64_t tag = text_.integer("an element's number");
+      const auto found = by_tag.find(tag);
+      if (found == by_tag.end())
+        text_.refuse(fmt::format("there are normals of element {}, which is no cell of the file", tag));
+      const MeshElement& element = *found->second;
+      const int nodes = element_type(element.type)->nodes;
+      if (text_.integer("a number of nodes") != nodes)
+        text_.refuse(fmt::format("element {} has {} nodes, and another number of normals", tag, nodes));
+      for (int n = 0; n < nodes; ++n)
+        data_.element_normals[element.first_node + static_cast<std::size_t>(n)] = position(text_);
+      text_.expect_end_of_line();
+    }
     return true;
   }
 
@@ -303,12 +364,23 @@ class Reader {
 
 }  // namespace
 
-MeshData read_msh_file(const std::string& path) {
+namespace {
+
+template <class... Arguments>
+MeshData read_msh(Arguments&&... arguments) {
   try {
-    return Reader(path).read();
+    return Reader(TextFile(std::forward<Arguments>(arguments)...)).read();
   } catch (const geometry::FileError& error) {
     throw mesh::DomainError(error.what());
   }
+}
+
+}  // namespace
+
+MeshData read_msh_file(const std::string& path) { return read_msh(path, "mesh file", geometry::Lines::end_words); }
+
+MeshData read_msh_text(const std::string& path, std::string text) {
+  return read_msh(path, std::move(text), geometry::Lines::end_words, std::in_place);
 }
 
 mesh::CoarseMesh read_mesh_file(const MeshFile& file, mesh::Shape shape) {

@@ -1,6 +1,7 @@
 // Mesh files in a job of several processes: one process reads and checks the file and sends the mesh to the others.
 #include <plastron/algebra/agreement.hpp>
 #include <plastron/algebra/vector.hpp>
+#include <plastron/domain/cad_mesh.hpp>
 #include <plastron/domain/domain_mesh.hpp>
 #include <plastron/mesh/surface_patches.hpp>
 
@@ -72,6 +73,11 @@ void serialize(Archive& archive, plastron::mesh::SurfacePatches& surface, unsign
 }
 
 template <class Archive>
+void serialize(Archive& archive, plastron::domain::FrozenMesh& mesh, unsigned) {
+  archive& mesh.text& mesh.failure;
+}
+
+template <class Archive>
 void serialize(Archive& archive, plastron::mesh::CoarseMesh& mesh, unsigned) {
   archive& mesh.shape& mesh.vertices& mesh.cells& mesh.edges& mesh.regions& mesh.boundaries& mesh.folds& mesh
       .fold_boundaries;
@@ -106,9 +112,16 @@ Domain with_shared_mesh(Domain domain, mesh::Shape shape, MPI_Comm comm) {
   int rank = 0, ranks = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &ranks);
-  auto mesh =
-      algebra::in_agreement(comm, [&] { return rank == 0 ? read_if_possible(*file, shape) : mesh::CoarseMesh{}; });
+  auto mesh = algebra::in_agreement(comm, [&] {
+    if (rank != 0) return mesh::CoarseMesh{};
+    if (is_cad_file(file->path) && !file->frozen)
+      file->frozen = std::make_shared<const FrozenMesh>(frozen_mesh(*file));
+    return read_if_possible(*file, shape);
+  });
   if (ranks > 1) mesh = dealii::Utilities::MPI::broadcast(comm, mesh);
+  if (ranks > 1 && is_cad_file(file->path))
+    file->frozen = std::make_shared<const FrozenMesh>(
+        dealii::Utilities::MPI::broadcast(comm, file->frozen ? *file->frozen : FrozenMesh{}));
   file->mesh = mesh.cells.empty() ? nullptr : std::make_shared<const mesh::CoarseMesh>(std::move(mesh));
   return domain;
 }

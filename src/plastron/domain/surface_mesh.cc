@@ -1,5 +1,6 @@
 #include <plastron/domain/surface_mesh.hpp>
 
+#include <plastron/domain/cad_mesh.hpp>
 #include <plastron/domain/facet_mesh.hpp>
 #include <plastron/domain/mesh_groups.hpp>
 #include <plastron/geometry/frame.hpp>
@@ -67,6 +68,10 @@ class SpaceCells {
                                .line = element.line};
     for (std::size_t i = 0; i < places.size(); ++i)
       cell.nodes[places[i]] = static_cast<std::int32_t>(data_.element_nodes[element.first_node + i]);
+    if (!data_.element_normals.empty() && !data_.element_normals[element.first_node].isZero(0)) {
+      cell.normals.resize(places.size());
+      for (std::size_t i = 0; i < places.size(); ++i) cell.normals[places[i]] = data_.element_normals[element.first_node + i];
+    }
     mesh_.cells.push_back(std::move(cell));
   }
 
@@ -121,6 +126,7 @@ topology::SpaceMesh moved_by(const Offset& offset, const topology::SurfaceTopolo
       is_set[node] = true;
       const auto copy = static_cast<std::size_t>(topology.cell_director_nodes[c][i]);
       moved.nodes[node] = at + distance[node] * topology.director_nodes[copy].director;
+      if (!offset.thickness_of(region).is_constant()) moved.cells[c].normals.clear();  // those of the face
     }
   return moved;
 }
@@ -417,6 +423,16 @@ FileSurface surface_of_facets(const MeshFile& file, std::optional<mesh::Shape> s
                           (reading.size ? ", or take another size" : ""));
 }
 
+/// The mesh of a CAD file already has the lengths and the cells of the case.
+FileSurface surface_of_part(const MeshFile& file, std::optional<mesh::Shape> shape) {
+  SpaceReading reading = *file.in_space;
+  reading.scale = 1;
+  reading.tolerance.reset();
+  const FrozenMesh frozen = file.frozen ? *file.frozen : frozen_mesh(file);
+  if (!frozen.failure.empty()) throw mesh::DomainError(frozen.failure);
+  return surface_of(read_msh_text(file.path, frozen.text), reading, shape);
+}
+
 }  // namespace
 
 void put_into_plane(const std::string& boundary, FileSurface& surface) {
@@ -438,6 +454,7 @@ void put_into_plane(const std::string& boundary, FileSurface& surface) {
 
 FileSurface read_surface(const MeshFile& file, std::optional<mesh::Shape> shape) {
   if (geometry::is_triangle_file(file.path)) return surface_of_facets(file, shape);
+  if (is_cad_file(file.path)) return surface_of_part(file, shape);
   const MeshData data = file.path.ends_with(".inp") ? read_inp_file(file.path) : read_msh_file(file.path);
   return surface_of(data, *file.in_space, shape);
 }

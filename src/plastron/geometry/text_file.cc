@@ -76,6 +76,9 @@ std::string shown(std::string_view text) {
 TextFile::TextFile(std::string path, const std::string& kind, Lines lines)
     : path_(std::move(path)), text_(content(path_, kind)), lines_(lines) {}
 
+TextFile::TextFile(std::string path, std::string text, Lines lines, std::in_place_t)
+    : path_(std::move(path)), text_(std::move(text)), lines_(lines) {}
+
 bool TextFile::next_line() {
   while (next_ < text_.size()) {
     const std::size_t end = std::min(text_.find('\n', next_), text_.size());

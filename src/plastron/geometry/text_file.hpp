@@ -32,6 +32,8 @@ class TextFile {
   /// Reads the file. `kind` names it in messages. Throws if it does not exist, is no regular file, or has more than
   /// 256 MB.
   TextFile(std::string path, const std::string& kind, Lines lines);
+  /// Takes the text of a file that is in memory; `path` names it in messages.
+  TextFile(std::string path, std::string text, Lines lines, std::in_place_t);
 
   const std::string& path() const { return path_; }
   const std::string& text() const { return text_; }

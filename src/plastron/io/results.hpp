@@ -53,6 +53,7 @@ struct Provenance {
   std::string case_copy{};             ///< one of `files`: the copy of the case file
   std::vector<double> heights{};       ///< z / e of additional stresses in the .vtu file, see fields_of()
   problem::UnitNames units{};          ///< names in the files
+  std::shared_ptr<const std::string> part_mesh{};  ///< of a case with a CAD file: its mesh, as text of a .msh file
 };
 
 inline constexpr std::string_view results_name = "results.json";

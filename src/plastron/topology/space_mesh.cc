@@ -101,8 +101,10 @@ SurfaceCell turned(mesh::Shape shape, const SurfaceCell& cell) {
     return shape == mesh::Shape::triangle ? j * (n + 1) - j * (j - 1) / 2 + i : j * (n + 1) + i;
   };
   for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= (shape == mesh::Shape::triangle ? n - j : n); ++i)
+    for (int i = 0; i <= (shape == mesh::Shape::triangle ? n - j : n); ++i) {
       other.nodes[index(j, i)] = cell.nodes[index(i, j)];
+      if (!cell.normals.empty()) other.normals[index(j, i)] = -cell.normals[index(i, j)];
+    }
   return other;
 }
 

@@ -29,6 +29,8 @@ struct SurfaceCell {
   int region = 0;
   std::int64_t tag = 0;
   std::size_t line = 0;  ///< line of the file; 0: not from a file
+  /// Normals of the surface from which the mesh was made, at the nodes; empty if they are not known. Of any length.
+  std::vector<Vector3d> normals{};
 };
 
 struct SpaceMesh {

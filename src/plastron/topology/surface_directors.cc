@@ -62,6 +62,20 @@ void use_normal_of_file(const Vector3d& given, std::span<DirectorNode> fans, con
                     place_of(where), in_degrees(nearest)));
 }
 
+/// The normal that the file gives for a cell at a node, on the side of a_1 x a_2. Throws SurfaceError if it is far from that.
+Vector3d given_normal(const SpaceMesh& mesh, const SurfaceCell& cell, Eigen::Index place, const Vector3d& drawn) {
+  constexpr double allowed = 60 * one_degree;
+  const Vector3d& given = cell.normals[static_cast<std::size_t>(place)];
+  const Vector3d along = given.dot(drawn) < 0 ? Vector3d(-given) : given;
+  if (!(given.norm() > 0) || !given.allFinite() || angle_between(along, drawn) > allowed)
+    throw SurfaceError(
+        SurfaceError::About::cells,
+        fmt::format("the normal that the file gives for {} at {} is more than 60 degrees off that of the element; correct "
+                    "it or leave out the normals",
+                    place_of(cell), place_of(mesh.nodes[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(place)])])));
+  return along.normalized();
+}
+
 /// Corrections of the normals at the ends of a cell's lines of nodes, see set_directors().
 class EndCorrection {
  public:
@@ -75,6 +89,7 @@ class EndCorrection {
   template <class Add>
   void for_cell(std::size_t cell, const Add& add) const {
     const int order = mesh_.cells[cell].order;
+    if (!mesh_.cells[cell].normals.empty()) return;  // these have no error
     if (mesh_.shape == mesh::Shape::triangle) return on_triangle(cell, add);
     for (int side = 0; side < 4; ++side) {
       if (!ends_[4 * cell + static_cast<std::size_t>(side)]) continue;
@@ -163,7 +178,8 @@ LatticeNormals lattice_normals(const SpaceMesh& mesh) {
                 "{} is degenerate at {}: it has no normal there; all corners must be above 0 and below 180 degrees, "
                 "and no two nodes may coincide",
                 place_of(cell), place_of(mesh.nodes[cell.nodes[n]])));
-      normals.normal.push_back(points.normal(n).normalized());
+      normals.normal.push_back(cell.normals.empty() ? Vector3d(points.normal(n).normalized())
+                                                    : given_normal(mesh, cell, n, points.normal(n)));
       normals.weight.push_back(1);
     }
     const auto places = corner_places(mesh.shape, cell.order);

@@ -42,6 +42,9 @@ class SidePlaces {
 };
 
 double default_smooth_angle(const SpaceMesh& mesh) {
+  // Where faces meet smoothly, CAD programs are right to 0.1 degrees or so; means of normals of cells are not.
+  if (std::ranges::none_of(mesh.cells, [](const SurfaceCell& cell) { return cell.normals.empty(); }))
+    return std::numbers::pi / 180;
   const bool has_facets = std::ranges::any_of(mesh.cells, [](const SurfaceCell& cell) { return cell.order == 1; });
   return (has_facets ? 30 : 10) * std::numbers::pi / 180;
 }

@@ -184,6 +184,7 @@ std::vector<std::string> Output::add_all(const computation::Result& result, io::
   if (is_drawn) boundary = io::add_contact_report(result.summary, *result.solution, directory_, files_);
   names_.insert(names_.end(), boundary.begin(), boundary.end());
   if (!result.history.empty()) add_history(result);
+  if (provenance.part_mesh) add_text(base_name_ + ".msh", [&] { return *provenance.part_mesh; });
   if (provenance.source) {
     provenance.case_copy = base_name_ + ".case.toml";
     add_text(provenance.case_copy, [&] { return provenance.source->text; });

@@ -25,7 +25,10 @@ computation::Result solve(const config::Case& c, const std::vector<examination::
 }
 
 io::Provenance provenance_of(const config::Case& c, io::CaseSource source) {
-  return {.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)};
+  io::Provenance provenance{.title = c.title, .settings = c.effective, .files = {}, .source = std::move(source)};
+  if (const auto* file = std::get_if<domain::MeshFile>(&c.problem.domain); file && file->frozen)
+    provenance.part_mesh = {file->frozen, &file->frozen->text};
+  return provenance;
 }
 
 bool is_refused(contact::Status status) { return status == contact::Status::infeasible; }

@@ -1,6 +1,9 @@
 #include <plastron/workflow/verify.hpp>
 
+#include <plastron/domain/cad_mesh.hpp>
+#include <plastron/geometry/text_file.hpp>
 #include <plastron/io/solution_file.hpp>
+#include <plastron/workflow/output.hpp>
 #include <plastron/workflow/read.hpp>
 
 #include <fmt/format.h>
@@ -20,6 +23,19 @@ void check_names(const config::Case& c, const io::Claims& claims) {
     if (std::ranges::find(claims.files, name, &io::SourceFile::name) == claims.files.end())
       throw io::UnusableResults(
           fmt::format("the case names the file \"{}\", and results.json has no checksum of it", name));
+}
+
+/// The mesh of a CAD file is the one that the run has kept: another version of the mesh program makes other cells.
+void use_kept_mesh(const std::filesystem::path& directory, problem::Problem& problem) {
+  auto* file = std::get_if<domain::MeshFile>(&problem.domain);
+  if (!file || !domain::is_cad_file(file->path)) return;
+  const std::filesystem::path kept = directory / (std::string(base_name) + ".msh");
+  try {
+    file->frozen = std::make_shared<const domain::FrozenMesh>(domain::FrozenMesh{
+        .text = geometry::TextFile(kept.string(), "mesh of the part", geometry::Lines::end_words).text()});
+  } catch (const geometry::FileError& error) {
+    throw io::UnusableResults(error.what());
+  }
 }
 
 computation::Verification recompute(const config::Case& c, const io::Claims& claims, MPI_Comm comm) {
@@ -61,8 +77,13 @@ Judgement verify(const std::filesystem::path& directory, const std::filesystem::
     throw io::UnusableResults("results.json names no file with the solution: there is nothing to verify");
   const auto& folder = files.empty() ? claims.case_folder : files;
   io::check_sources(claims, folder, comm);
-  const config::Case& c =
-      judgement.read_case.emplace(read_together([&] { return config::read_case(claims.case_copy, folder); }, comm));
+  const config::Case& c = judgement.read_case.emplace(read_together(
+      [&] {
+        config::Case read = config::read_case(claims.case_copy, folder);
+        use_kept_mesh(directory, read.problem);
+        return read;
+      },
+      comm));
   check_names(c, claims);
   judgement.files = io::compare_checksums(directory, claims.results, comm);
   judgement.recomputed = recompute(c, claims, comm);

@@ -1,0 +1,148 @@
+#include "part.hpp"
+
+#include <BOPAlgo_Builder.hxx>
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepClass_FaceClassifier.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Geom_Surface.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace plastron::cad {
+
+namespace {
+
+TopoDS_Compound compound_of(const std::vector<LabelledFace>& faces) {
+  TopoDS_Compound compound;
+  const BRep_Builder builder;
+  builder.MakeCompound(compound);
+  for (const LabelledFace& face : faces) builder.Add(compound, face.face);
+  return compound;
+}
+
+/// The faces of a shape with the labels of the faces from which they came. `successors(face, visit)` calls visit for each
+/// face that came from a face.
+template <class Successors>
+JoinedPart labelled(const TopoDS_Shape& shape, const std::vector<LabelledFace>& before, const Successors& successors) {
+  JoinedPart part{.shape = shape, .faces = {}, .edges = {}, .labelled = {}};
+  TopExp::MapShapes(shape, TopAbs_FACE, part.faces);
+  TopExp::MapShapes(shape, TopAbs_EDGE, part.edges);
+  part.labelled.resize(static_cast<std::size_t>(part.faces.Extent()));
+  for (int i = 1; i <= part.faces.Extent(); ++i) part.labelled[i - 1].face = TopoDS::Face(part.faces(i));
+  for (const LabelledFace& old : before)
+    successors(old.face, [&](const TopoDS_Shape& now) {
+      if (const int i = part.faces.FindIndex(now); i > 0) {
+        part.labelled[i - 1].label = old.label;
+        part.labelled[i - 1].number = old.number;
+      }
+    });
+  return part;
+}
+
+JoinedPart sewn(const std::vector<LabelledFace>& faces, double tolerance) {
+  BRepBuilderAPI_Sewing sewing(tolerance);
+  sewing.SetNonManifoldMode(true);
+  for (const LabelledFace& face : faces) sewing.Add(face.face);
+  sewing.Perform();
+  if (sewing.SewedShape().IsNull())
+    throw PartError(fmt::format("no face is left after edges within {:.3g} mm were joined; make tolerance smaller",
+                                tolerance));
+  JoinedPart part = labelled(sewing.SewedShape(), faces, [&](const TopoDS_Face& old, const auto& visit) {
+    visit(sewing.IsModified(old) ? sewing.Modified(old)
+                                 : sewing.IsModifiedSubShape(old) ? sewing.ModifiedSubShape(old) : TopoDS_Shape(old));
+  });
+  part.joined_edges = sewing.NbContigousEdges();
+  return part;
+}
+
+/// Whether a point lies inside a face, away from its edges by more than the tolerance.
+bool is_inside(const TopoDS_Face& face, const gp_Pnt& point, double tolerance) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  ShapeAnalysis_Surface analysis(surface);
+  const gp_Pnt2d uv = analysis.ValueOfUV(point, tolerance);
+  if (surface->Value(uv.X(), uv.Y()).Distance(point) > tolerance) return false;
+  const BRepClass_FaceClassifier classifier(face, uv, tolerance);
+  return classifier.State() == TopAbs_IN;
+}
+
+/// Number of free edges that run inside a face or end there.
+int open_joints(const JoinedPart& part, double tolerance) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
+  TopExp::MapShapesAndAncestors(part.shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
+  std::vector<Bnd_Box> boxes(static_cast<std::size_t>(part.faces.Extent()));
+  for (int f = 1; f <= part.faces.Extent(); ++f) {
+    BRepBndLib::Add(part.faces(f), boxes[f - 1]);
+    boxes[f - 1].Enlarge(tolerance);
+  }
+  int found = 0;
+  for (int e = 1; e <= faces_of.Extent(); ++e) {
+    const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(e));
+    if (faces_of(e).Extent() != 1 || BRep_Tool::Degenerated(edge)) continue;
+    const BRepAdaptor_Curve curve(edge);
+    const auto touches = [&](int f) {
+      if (faces_of(e).First().IsSame(part.faces(f))) return false;
+      constexpr int points = 8;
+      for (int k = 0; k <= points; ++k) {
+        const double t = curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * k / points;
+        const gp_Pnt point = curve.Value(t);
+        if (!boxes[f - 1].IsOut(point) && is_inside(TopoDS::Face(part.faces(f)), point, tolerance)) return true;
+      }
+      return false;
+    };
+    for (int f = 1; f <= part.faces.Extent(); ++f)
+      if (touches(f)) {
+        ++found;
+        break;
+      }
+  }
+  return found;
+}
+
+JoinedPart imprinted(const JoinedPart& part, double tolerance) {
+  BOPAlgo_Builder builder;
+  for (const LabelledFace& face : part.labelled) builder.AddArgument(face.face);
+  builder.SetFuzzyValue(tolerance);
+  builder.SetRunParallel(false);
+  builder.Perform();
+  if (builder.HasErrors())
+    throw PartError(
+        "edges end inside of faces, and Open CASCADE cannot divide the faces there; let the faces share edges in the CAD "
+        "program (imprint)");
+  return labelled(builder.Shape(), part.labelled, [&](const TopoDS_Face& old, const auto& visit) {
+    const TopTools_ListOfShape& now = builder.Modified(old);
+    if (now.IsEmpty()) visit(TopoDS_Shape(old));
+    for (const TopoDS_Shape& face : now) visit(face);
+  });
+}
+
+}  // namespace
+
+JoinedPart joined(const PartFile& part, std::optional<double> tolerance) {
+  constexpr double relative = 1e-6;  // of the diagonal
+  const double used = tolerance.value_or(relative * diagonal_of(compound_of(part.faces)));
+  JoinedPart result = sewn(part.faces, used);
+  const int joints = open_joints(result, used);
+  if (joints > 0) {
+    const int joined_edges = result.joined_edges;
+    result = imprinted(result, used);
+    result.joined_edges = joined_edges;
+  }
+  result.imprinted = joints;
+  result.tolerance = used;
+  return result;
+}
+
+}  // namespace plastron::cad

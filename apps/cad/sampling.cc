@@ -1,0 +1,409 @@
+#include "sampling.hpp"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_Surface.hxx>
+#include <ShapeAnalysis_Curve.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopoDS.hxx>
+#include <gp_Sphere.hxx>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace plastron::cad {
+
+namespace {
+
+using Eigen::Vector2d;
+
+/// A point of a face with its parameters and its normal; no normal at a tip, where the surface has none.
+struct FacePoint {
+  Vector3d position;
+  Vector2d parameters;
+  std::optional<Vector3d> normal{};
+};
+
+/// The nearest points of a face's surface, which goes on beyond the edges of the face.
+class FaceSurface {
+ public:
+  explicit FaceSurface(const TopoDS_Face& face)
+      : surface_(untrimmed(BRep_Tool::Surface(face))), analysis_(new ShapeAnalysis_Surface(surface_)),
+        sign_(face.Orientation() == TopAbs_REVERSED ? -1 : 1) {
+    const GeomAdaptor_Surface adaptor(surface_);
+    is_elementary_ = adaptor.GetType() <= GeomAbs_Torus;
+    if (surface_->IsUPeriodic()) periods_[0] = surface_->UPeriod();
+    if (surface_->IsVPeriodic()) periods_[1] = surface_->VPeriod();
+    if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface_); !sphere.IsNull()) {
+      centre_ = vector_of(sphere->Location());
+      if (!sphere->Position().Direct()) centre_sign_ = -1;
+    }
+  }
+
+  /// Searches on the whole surface.
+  FacePoint nearest(const Vector3d& at) const {
+    constexpr double precision = 1e-9;
+    const gp_Pnt2d uv = analysis_->ValueOfUV(point_of(at), precision);
+    return point(improved(at, {uv.X(), uv.Y()}).parameters);
+  }
+
+  /// Searches from parameters nearby. Search on the whole of a spline takes a thousand times as long.
+  FacePoint nearest(const Vector3d& at, const Vector2d& guess) const {
+    if (is_elementary_) return nearest(at);
+    const Foot foot = improved(at, guess);
+    return foot.is_found ? point(foot.parameters) : nearest(at);
+  }
+
+  /// The parameters of a point as a continuation of those of another one.
+  Vector2d continued(Vector2d parameters, const Vector2d& from) const {
+    for (const int k : {0, 1})
+      if (periods_[k] > 0) parameters[k] -= periods_[k] * std::round((parameters[k] - from[k]) / periods_[k]);
+    return parameters;
+  }
+
+  /// The normal at a point of the face; at a tip, of a place nearby in the direction of `inside`.
+  Vector3d normal(const Vector3d& at, const Vector2d& guess, const Vector3d& inside) const {
+    constexpr double part = 1e-6;
+    const FacePoint there = nearest(at, guess);
+    if (there.normal) return *there.normal;
+    return nearest(at + part * (inside - at)).normal.value_or(Vector3d::Zero());
+  }
+
+ private:
+  struct Foot {
+    Vector2d parameters;
+    bool is_found = false;
+  };
+
+  /// Newton's method for the foot of the perpendicular.
+  Foot improved(const Vector3d& at, Vector2d uv) const {
+    constexpr int steps = 12;
+    constexpr double converged = 1e-14;
+    gp_Pnt p;
+    gp_Vec du, dv, duu, dvv, duv;
+    Foot foot{uv};
+    for (int step = 0; step < steps; ++step) {
+      surface_->D2(uv[0], uv[1], p, du, dv, duu, dvv, duv);
+      const Vector3d r = vector_of(p) - at, a = vector_of(du), b = vector_of(dv);
+      const Vector2d gradient(r.dot(a), r.dot(b));
+      const double scale = std::max(at.norm(), 1.0);
+      foot.is_found = std::abs(gradient[0]) <= 1e-9 * scale * a.norm() && std::abs(gradient[1]) <= 1e-9 * scale * b.norm();
+      if (foot.is_found) foot.parameters = uv;
+      Eigen::Matrix2d h;
+      const double mixed = a.dot(b) + r.dot(vector_of(duv));
+      h << a.dot(a) + r.dot(vector_of(duu)), mixed, mixed, b.dot(b) + r.dot(vector_of(dvv));
+      const double singular = 1e-12 * a.squaredNorm() * b.squaredNorm();
+      if (!(h.determinant() > singular)) break;
+      const Vector2d change = -h.inverse() * gradient;
+      if (!change.allFinite()) break;
+      const double moved = (change[0] * a + change[1] * b).norm();
+      uv += change;
+      if (moved <= converged * scale) break;
+    }
+    return foot;
+  }
+
+  FacePoint point(const Vector2d& uv) const {
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface_->D1(uv[0], uv[1], p, du, dv);
+    FacePoint found{vector_of(p), uv};
+    const Vector3d a = vector_of(du), b = vector_of(dv), normal = a.cross(b);
+    constexpr double tip = 1e-9;
+    const double longest = std::max(a.squaredNorm(), b.squaredNorm());
+    if (centre_)
+      found.normal = sign_ * centre_sign_ * (found.position - *centre_).normalized();
+    else if (normal.norm() > tip * longest)
+      found.normal = sign_ * normal.normalized();
+    return found;
+  }
+
+  static Handle(Geom_Surface) untrimmed(const Handle(Geom_Surface) & surface) {
+    const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface);
+    return trimmed.IsNull() ? surface : trimmed->BasisSurface();
+  }
+
+  Handle(Geom_Surface) surface_;
+  Handle(ShapeAnalysis_Surface) analysis_;
+  double sign_;
+  bool is_elementary_ = false;
+  std::array<double, 2> periods_{};  // 0: none
+  std::optional<Vector3d> centre_{};
+  double centre_sign_ = 1;
+};
+
+/// An edge by its parameter.
+class EdgeCurve {
+ public:
+  explicit EdgeCurve(const TopoDS_Edge& edge)
+      : curve_(edge), is_closed_(curve_.Value(curve_.FirstParameter()).Distance(curve_.Value(curve_.LastParameter())) <=
+                                 1e-9 + 2 * BRep_Tool::Tolerance(edge)) {}
+
+  Vector3d at(double t) const { return vector_of(curve_.Value(t)); }
+  double nearest(const Vector3d& point) const {
+    gp_Pnt projected;
+    double t = 0;
+    ShapeAnalysis_Curve().Project(curve_, point_of(point), 1e-9, projected, t);
+    return std::clamp(t, curve_.FirstParameter(), curve_.LastParameter());
+  }
+  /// Parameters of the ends of a line on the curve.
+  std::array<double, 2> ends(const Vector3d& a, const Vector3d& b) const {
+    std::array<double, 2> t{nearest(a), nearest(b)};
+    const double first = curve_.FirstParameter(), last = curve_.LastParameter(), half = (last - first) / 2;
+    if (!is_closed_ || std::abs(t[1] - t[0]) <= half) return t;
+    // One end is where the curve closes: there both ends of the curve are meant.
+    const int low = t[0] < t[1] ? 0 : 1;
+    const bool low_is_end = t[low] - first < last - t[1 - low];
+    (low_is_end ? t[low] : t[1 - low]) = low_is_end ? last : first;
+    return t;
+  }
+
+ private:
+  BRepAdaptor_Curve curve_;
+  bool is_closed_;
+};
+
+/// Barycentric weights and values of the Lagrange polynomials at equidistant nodes on [0, 1].
+std::vector<double> lagrange(int degree, double x) {
+  std::vector<double> values(static_cast<std::size_t>(degree) + 1, 1);
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; j <= degree; ++j)
+      if (j != i) values[i] *= (degree * x - j) / (i - j);
+  return values;
+}
+
+class Sampler {
+ public:
+  Sampler(const JoinedPart& part, const Quads& quads) : quads_(quads) {
+    for (int f = 1; f <= part.faces.Extent(); ++f) surfaces_.emplace_back(TopoDS::Face(part.faces(f)));
+    for (const Quads::Line& line : quads.lines) {
+      if (!curves_.contains(line.edge)) curves_.emplace(line.edge, EdgeCurve(TopoDS::Edge(part.edges(line.edge))));
+      lines_[key(line.ends[0], line.ends[1])] = &line;
+    }
+    place_corners();
+  }
+
+  SampledMesh operator()(int degree) {
+    SampledMesh mesh{.degree = degree, .nodes = corners_, .cells = {}, .lines = {}};
+    sides_.clear();
+    for (const Quads::Line& line : quads_.lines) {
+      mesh.lines.push_back({side_nodes(line.ends[0], line.ends[1], -1, mesh), line.edge});
+      measure_line(line, mesh.lines.back(), mesh);
+    }
+    for (const Quads::Cell& cell : quads_.cells) add_cell(cell, mesh);
+    return mesh;
+  }
+
+ private:
+  static std::pair<int, int> key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+  const FaceSurface& surface(int face) const { return surfaces_[face - 1]; }
+
+  /// Puts the corners of cells onto the part: corners inside faces onto the face, others onto an edge.
+  void place_corners() {
+    corners_ = quads_.points;
+    std::vector<bool> is_placed(corners_.size(), false);
+    for (const Quads::Line& line : quads_.lines)
+      for (const int end : line.ends) {
+        if (is_placed[end]) continue;
+        const EdgeCurve& curve = curves_.at(line.edge);
+        corners_[end] = curve.at(curve.nearest(corners_[end]));
+        is_placed[end] = true;
+      }
+    for (const Quads::Cell& cell : quads_.cells)
+      for (const int corner : cell.corners) {
+        if (is_placed[corner]) continue;
+        corners_[corner] = surface(cell.face).nearest(corners_[corner]).position;
+        is_placed[corner] = true;
+      }
+  }
+
+  /// Parameters of a corner on a face.
+  const Vector2d& parameters(int face, int corner) {
+    const auto [found, is_new] = parameters_.try_emplace({face, corner});
+    if (is_new) found->second = surface(face).nearest(corners_[corner]).parameters;
+    return found->second;
+  }
+
+  /// Parameters near a place of a cell, between those of its corners.
+  struct Guess {
+    std::array<Vector2d, 4> corners;
+    Vector2d operator()(double x, double y) const {
+      return (1 - x) * (1 - y) * corners[0] + x * (1 - y) * corners[1] + (1 - x) * y * corners[2] + x * y * corners[3];
+    }
+  };
+  Guess guess_in(const std::array<int, 4>& corners, int face) {
+    Guess guess{{parameters(face, corners[0])}};
+    for (int k = 1; k < 4; ++k) guess.corners[k] = surface(face).continued(parameters(face, corners[k]), guess.corners[0]);
+    return guess;
+  }
+
+  /// Nodes from a to b: on an edge of the part at equal steps of its parameter, elsewhere below the straight line.
+  std::vector<int> side_nodes(int a, int b, int face, SampledMesh& mesh) {
+    const auto [low, high] = key(a, b);
+    auto [found, is_new] = sides_.try_emplace({low, high});
+    std::vector<int>& inner = found->second;
+    if (is_new) {
+      const auto line = lines_.find({low, high});
+      for (int k = 1; k < mesh.degree; ++k) {
+        const double s = static_cast<double>(k) / mesh.degree;
+        Vector3d at;
+        if (line != lines_.end()) {
+          const EdgeCurve& curve = curves_.at(line->second->edge);
+          const auto t = curve.ends(corners_[low], corners_[high]);
+          at = curve.at((1 - s) * t[0] + s * t[1]);
+        } else {
+          const Vector2d from = parameters(face, low), to = surface(face).continued(parameters(face, high), from);
+          at = surface(face).nearest((1 - s) * corners_[low] + s * corners_[high], (1 - s) * from + s * to).position;
+        }
+        inner.push_back(static_cast<int>(mesh.nodes.size()));
+        mesh.nodes.push_back(at);
+      }
+    }
+    std::vector<int> nodes{low};
+    nodes.insert(nodes.end(), inner.begin(), inner.end());
+    nodes.push_back(high);
+    if (a != low) std::ranges::reverse(nodes);
+    return nodes;
+  }
+
+  /// Corners in the order (0,0), (1,0), (0,1), (1,1) with a_1 x a_2 on the side of the face's normal.
+  std::array<int, 4> ordered(const Quads::Cell& cell) {
+    const auto& [a, b, c, d] = cell.corners;
+    const Vector3d middle = (corners_[a] + corners_[b] + corners_[c] + corners_[d]) / 4;
+    const Vector3d drawn = (corners_[c] - corners_[a]).cross(corners_[d] - corners_[b]);
+    const Vector2d guess = guess_in({a, b, d, c}, cell.face)(0.5, 0.5);
+    const bool agrees = drawn.dot(surface(cell.face).normal(middle, guess, corners_[a])) > 0;
+    return agrees ? std::array{a, b, d, c} : std::array{a, d, b, c};
+  }
+
+  void add_cell(const Quads::Cell& cell, SampledMesh& mesh) {
+    const int q = mesh.degree, row = q + 1;
+    const std::array<int, 4> corners = ordered(cell);
+    SampledCell sampled{.nodes = std::vector<int>(static_cast<std::size_t>(row * row), -1), .normals = {}, .face = cell.face};
+    const auto left = side_nodes(corners[0], corners[2], cell.face, mesh);
+    const auto right = side_nodes(corners[1], corners[3], cell.face, mesh);
+    const auto bottom = side_nodes(corners[0], corners[1], cell.face, mesh);
+    const auto top = side_nodes(corners[2], corners[3], cell.face, mesh);
+    for (int k = 0; k <= q; ++k) {
+      sampled.nodes[k * row] = left[k];
+      sampled.nodes[k * row + q] = right[k];
+      sampled.nodes[k] = bottom[k];
+      sampled.nodes[q * row + k] = top[k];
+    }
+    const auto at = [&](int node) -> const Vector3d& { return mesh.nodes[node]; };
+    const Guess guess = guess_in(corners, cell.face);
+    for (int j = 1; j < q; ++j)
+      for (int i = 1; i < q; ++i) {
+        const double x = static_cast<double>(i) / q, y = static_cast<double>(j) / q;
+        const Vector3d blended = (1 - x) * at(left[j]) + x * at(right[j]) + (1 - y) * at(bottom[i]) + y * at(top[i]) -
+                                 ((1 - x) * (1 - y) * at(corners[0]) + x * (1 - y) * at(corners[1]) +
+                                  (1 - x) * y * at(corners[2]) + x * y * at(corners[3]));
+        sampled.nodes[j * row + i] = static_cast<int>(mesh.nodes.size());
+        mesh.nodes.push_back(surface(cell.face).nearest(blended, guess(x, y)).position);
+      }
+    const Vector3d middle = (at(corners[0]) + at(corners[1]) + at(corners[2]) + at(corners[3])) / 4;
+    for (int j = 0; j <= q; ++j)
+      for (int i = 0; i <= q; ++i)
+        sampled.normals.push_back(surface(cell.face).normal(at(sampled.nodes[j * row + i]),
+                                                            guess(static_cast<double>(i) / q, static_cast<double>(j) / q), middle));
+    measure_cell(sampled, guess, mesh);
+    mesh.cells.push_back(std::move(sampled));
+  }
+
+  void measure_line(const Quads::Line& line, const SampledLine& sampled, SampledMesh& mesh) const {
+    const EdgeCurve& curve = curves_.at(line.edge);
+    for (const double s : between_nodes(mesh.degree)) {
+      const auto values = lagrange(mesh.degree, s);
+      Vector3d at = Vector3d::Zero();
+      for (std::size_t k = 0; k < values.size(); ++k) at += values[k] * mesh.nodes[sampled.nodes[k]];
+      mesh.error.distance = std::max(mesh.error.distance, (curve.at(curve.nearest(at)) - at).norm());
+    }
+  }
+
+  /// Places between the nodes of a lattice, in the first and the middle interval.
+  static std::vector<double> between_nodes(int degree) {
+    if (degree == 1) return {0.5};
+    return {0.5 / degree, (degree / 2 + 0.5) / degree};
+  }
+
+  void measure_cell(const SampledCell& cell, const Guess& guess, SampledMesh& mesh) const {
+    const int q = mesh.degree, row = q + 1;
+    // Shape at the nodes.
+    std::vector<std::vector<double>> slopes;
+    for (int k = 0; k <= q; ++k) slopes.push_back(slope(q, static_cast<double>(k) / q));
+    for (int j = 0; j <= q; ++j)
+      for (int i = 0; i <= q; ++i) {
+        Vector3d a = Vector3d::Zero(), b = Vector3d::Zero();
+        for (int k = 0; k <= q; ++k) {
+          a += slopes[i][k] * mesh.nodes[cell.nodes[j * row + k]];
+          b += slopes[j][k] * mesh.nodes[cell.nodes[k * row + i]];
+        }
+        const double shape = a.cross(b).dot(cell.normals[j * row + i]) / std::max(a.norm() * b.norm(), 1e-300);
+        if (shape < mesh.worst_shape) {
+          mesh.worst_shape = shape;
+          mesh.worst_place = mesh.nodes[cell.nodes[j * row + i]];
+        }
+      }
+    for (const double y : between_nodes(q))
+      for (const double x : between_nodes(q)) {
+        const auto vx = lagrange(q, x), vy = lagrange(q, y);
+        Vector3d at = Vector3d::Zero(), normal = Vector3d::Zero();
+        for (int j = 0; j <= q; ++j)
+          for (int i = 0; i <= q; ++i) {
+            at += vy[j] * vx[i] * mesh.nodes[cell.nodes[j * row + i]];
+            normal += vy[j] * vx[i] * cell.normals[j * row + i];
+          }
+        const FacePoint there = surface(cell.face).nearest(at, guess(x, y));
+        mesh.error.distance = std::max(mesh.error.distance, (there.position - at).norm());
+        if (there.normal)
+          mesh.error.direction =
+              std::max(mesh.error.direction, std::atan2(normal.cross(*there.normal).norm(), normal.dot(*there.normal)));
+      }
+  }
+
+  /// Derivatives of the Lagrange polynomials.
+  static std::vector<double> slope(int degree, double x) {
+    std::vector<double> values(static_cast<std::size_t>(degree) + 1, 0);
+    for (int i = 0; i <= degree; ++i)
+      for (int m = 0; m <= degree; ++m) {
+        if (m == i) continue;
+        double product = static_cast<double>(degree) / (i - m);
+        for (int j = 0; j <= degree; ++j)
+          if (j != i && j != m) product *= (degree * x - j) / (i - j);
+        values[i] += product;
+      }
+    return values;
+  }
+
+  const Quads& quads_;
+  std::vector<FaceSurface> surfaces_{};
+  std::map<int, EdgeCurve> curves_{};                         // by edge
+  std::map<std::pair<int, int>, const Quads::Line*> lines_{};  // by ends, ascending
+  std::vector<Vector3d> corners_{};
+  std::map<std::pair<int, int>, Vector2d> parameters_{};      // by face and corner
+  std::map<std::pair<int, int>, std::vector<int>> sides_{};  // inner nodes from the lower end to the higher one
+};
+
+}  // namespace
+
+SampledMesh sampled(const JoinedPart& part, const Quads& quads, double diagonal) {
+  constexpr double negligible_direction = 1e-7, negligible_distance = 1e-9;
+  Sampler sampler(part, quads);
+  SampledMesh mesh;
+  for (const int degree : {1, 2, 4, 6, 8}) {
+    mesh = sampler(degree);
+    if (degree == 2 && mesh.worst_shape <= 0) break;
+    if (mesh.error.direction <= negligible_direction && mesh.error.distance <= negligible_distance * diagonal) break;
+  }
+  return mesh;
+}
+
+}  // namespace plastron::cad

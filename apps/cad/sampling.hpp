@@ -1,0 +1,41 @@
+// The true surface at the nodes of cells: positions and normals of the CAD faces on lattices of a degree up to 8.
+#pragma once
+#include "quads.hpp"
+
+#include <map>
+#include <vector>
+
+namespace plastron::cad {
+
+struct SampledCell {
+  std::vector<int> nodes;        ///< on the lattice, xi_1 fastest
+  std::vector<Vector3d> normals; ///< unit normals of the face there; they point to the side of a_1 x a_2
+  int face;                      ///< number in JoinedPart::faces
+};
+
+struct SampledLine {
+  std::vector<int> nodes;  ///< from end to end
+  int edge;                ///< number in JoinedPart::edges
+};
+
+/// How far the polynomials of the cells are from the part, at places between their nodes.
+struct SamplingError {
+  double distance = 0;   ///< of the surface or of an edge [mm]
+  double direction = 0;  ///< of the normal [rad]
+};
+
+struct SampledMesh {
+  int degree = 1;
+  std::vector<Vector3d> nodes;  ///< [mm]
+  std::vector<SampledCell> cells;
+  std::vector<SampledLine> lines;
+  SamplingError error{};
+  double worst_shape = 1;             ///< least sine of the angle between a_1 and a_2; negative: a cell folds over
+  Vector3d worst_place = Vector3d::Zero();
+};
+
+/// Samples with the lowest degree of 1, 2, 4, 6 and 8 whose error is below what the estimate of an error could see.
+/// Ends early where a cell folds over.
+SampledMesh sampled(const JoinedPart& part, const Quads& quads, double diagonal);
+
+}  // namespace plastron::cad
