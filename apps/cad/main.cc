@@ -35,28 +35,35 @@ double default_size(double area) {
 }
 
 /// A mesh without folded cells. Cells that are larger than the features of the part fold over, and Gmsh does not say so: smaller
-/// ones are tried, at first where the faces are curved. Where edges of a face are tangent to each other, no mesh is good:
-/// there the best one is taken.
+/// ones are tried there. Where edges of a face are tangent to each other, no mesh is good: there the best one is taken.
 SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
-  struct Try {
-    double part;
-    int round_a_circle;
-  };
-  constexpr double good = 0.05, possible = 1e-5;
-  const double diagonal = diagonal_of(part.shape);
+  constexpr double possible = 1e-5, smaller = 0.7;
+  constexpr int tries = 8;
   std::string mistake;
-  std::optional<SampledMesh> best;
-  for (const Try& next : {Try{1, 0}, Try{1, 10}, Try{0.7, 14}, Try{0.5, 20}, Try{0.35, 28}}) try {
-      SampledMesh mesh = sampled(part, quads_of(part, next.part * size, next.round_a_circle), diagonal);
-      if (!best || mesh.worst_shape > best->worst_shape) best = std::move(mesh);
-      if (best->worst_shape > good) break;
+  std::optional<Quads> best;
+  double best_shape = -2;
+  Vector3d best_place = Vector3d::Zero();
+  std::vector<SmallPlace> small;
+  for (int k = 0; k < tries; ++k) try {
+      if (getenv("DBG")) fprintf(stderr, "try %d small %zu shape %g\n", k, small.size(), best_shape);
+      Quads quads = quads_of(part, size, small);
+      SampledMesh mesh = sampled_coarsely(part, quads);
+      if (mesh.worst_shape > best_shape) {
+        best_shape = mesh.worst_shape;
+        best_place = mesh.worst_place;
+        best = std::move(quads);
+      }
+      // A cell between edges that are tangent to each other is flat, however small it is.
+      if (best_shape > (k == 0 ? fair_shape : possible)) break;
+      for (const SampledMesh::BadCell& cell : mesh.bad)
+        if (k == 0 || cell.shape <= possible) small.push_back(cell.remedy);
     } catch (const PartError& error) {
       mistake = error.what();
+      size *= smaller;
     }
-  if (best && best->worst_shape > possible) return *std::move(best);
+  if (best && best_shape > possible) return sampled(part, *best, diagonal_of(part.shape));
   if (best)
-    mistake = fmt::format("a cell folds over at ({:.6g}, {:.6g}, {:.6g}) mm", best->worst_place[0], best->worst_place[1],
-                          best->worst_place[2]);
+    mistake = fmt::format("a cell folds over at ({:.6g}, {:.6g}, {:.6g}) mm", best_place[0], best_place[1], best_place[2]);
   throw PartError(fmt::format("{}, also with smaller cells; {}", mistake,
                               is_given ? "take a smaller size" : "set size, or mend the part at this place"));
 }
@@ -72,8 +79,7 @@ std::vector<std::string> notes_of(const PartFile& file, const JoinedPart& part, 
                               area_of(part.shape) / (mm * mm), mesh.cells.size(), mesh.degree, size / mm));
   notes.push_back(fmt::format("the cells are up to {:.1e} m off the faces, and their normals {:.1e} degrees",
                               mesh.error.distance / mm, mesh.error.direction * 180 / std::numbers::pi));
-  constexpr double fair = 0.05;
-  if (mesh.worst_shape < fair)
+  if (mesh.worst_shape < fair_shape)
     notes.push_back(fmt::format("a cell has an angle of {:.2g} degrees at ({:.6g}, {:.6g}, {:.6g}) m, where edges of a face "
                                 "nearly touch along each other",
                                 std::asin(mesh.worst_shape) * 180 / std::numbers::pi, mesh.worst_place[0] / mm,

@@ -146,7 +146,7 @@ Quads mesh_in_gmsh(const JoinedPart& part, double tolerance) {
 
 }  // namespace
 
-Quads quads_of(const JoinedPart& part, double size, int round_a_circle) {
+Quads quads_of(const JoinedPart& part, double size, const std::vector<SmallPlace>& small) {
   const GmshSession session;
   try {
     gmsh::vectorpair entities;
@@ -158,9 +158,17 @@ Quads quads_of(const JoinedPart& part, double size, int round_a_circle) {
     gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
     gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1);
     gmsh::option::setNumber("Mesh.MinimumCircleNodes", 4);
-    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", round_a_circle > 0 ? 1 : 0);
-    if (round_a_circle > 0) gmsh::option::setNumber("Mesh.MinimumElementsPerTwoPi", round_a_circle / 2.0);
     gmsh::option::setNumber("Mesh.MeshSizeMax", 2 * size);
+    if (!small.empty())
+      gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) {
+        constexpr double growth = 0.5;
+        double least = size;
+        for (const SmallPlace& place : small) {
+          const double away = std::max(0.0, (place.centre - Vector3d(x, y, z)).norm() - 2 * place.size);
+          least = std::min(least, place.size + growth * away);
+        }
+        return 2 * least;
+      });
     gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
     gmsh::model::mesh::generate(2);
     GmshSession::check();

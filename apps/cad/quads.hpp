@@ -21,8 +21,14 @@ struct Quads {
   std::vector<Line> lines;
 };
 
-/// Meshes the faces with quadrilaterals whose sides are about `size` long [mm], smaller where the faces are curved: at least
-/// `round_a_circle` of them would go round a circle of their radius; 0: eight on round edges. Throws PartError with Gmsh's reason.
-Quads quads_of(const JoinedPart& part, double size, int round_a_circle);
+/// A place where smaller cells are needed.
+struct SmallPlace {
+  Vector3d centre;
+  double size;  ///< sides of cells there [mm]
+};
+
+/// Meshes the faces with quadrilaterals whose sides are about `size` long [mm], shorter at some places. Throws PartError
+/// with Gmsh's reason.
+Quads quads_of(const JoinedPart& part, double size, const std::vector<SmallPlace>& small = {});
 
 }  // namespace plastron::cad

@@ -339,6 +339,7 @@ class Sampler {
     // Shape at the nodes.
     std::vector<std::vector<double>> slopes;
     for (int k = 0; k <= q; ++k) slopes.push_back(slope(q, static_cast<double>(k) / q));
+    double worst = 1;
     for (int j = 0; j <= q; ++j)
       for (int i = 0; i <= q; ++i) {
         Vector3d a = Vector3d::Zero(), b = Vector3d::Zero();
@@ -347,11 +348,18 @@ class Sampler {
           b += slopes[j][k] * mesh.nodes[cell.nodes[k * row + i]];
         }
         const double shape = a.cross(b).dot(cell.normals[j * row + i]) / std::max(a.norm() * b.norm(), 1e-300);
+        worst = std::min(worst, shape);
         if (shape < mesh.worst_shape) {
           mesh.worst_shape = shape;
           mesh.worst_place = mesh.nodes[cell.nodes[j * row + i]];
         }
       }
+    if (worst < fair_shape) {
+      const auto corner = [&](int i, int j) -> const Vector3d& { return mesh.nodes[cell.nodes[j * row + i]]; };
+      const double shortest = std::min({(corner(q, 0) - corner(0, 0)).norm(), (corner(q, q) - corner(0, q)).norm(),
+                                        (corner(0, q) - corner(0, 0)).norm(), (corner(q, q) - corner(q, 0)).norm()});
+      mesh.bad.push_back({worst, {(corner(0, 0) + corner(q, 0) + corner(0, q) + corner(q, q)) / 4, 0.7 * shortest}});
+    }
     for (const double y : between_nodes(q))
       for (const double x : between_nodes(q)) {
         const auto vx = lagrange(q, x), vy = lagrange(q, y);
@@ -394,13 +402,15 @@ class Sampler {
 
 }  // namespace
 
+SampledMesh sampled_coarsely(const JoinedPart& part, const Quads& quads) { return Sampler(part, quads)(2); }
+
 SampledMesh sampled(const JoinedPart& part, const Quads& quads, double diagonal) {
-  constexpr double negligible_direction = 1e-7, negligible_distance = 1e-9;
+  constexpr double negligible_direction = 1e-7, negligible_distance = 1e-9, most_nodes = 5e5;
   Sampler sampler(part, quads);
   SampledMesh mesh;
   for (const int degree : {1, 2, 4, 6, 8}) {
+    if (degree > 2 && static_cast<double>(quads.cells.size()) * degree * degree > most_nodes) break;
     mesh = sampler(degree);
-    if (degree == 2 && mesh.worst_shape <= 0) break;
     if (mesh.error.direction <= negligible_direction && mesh.error.distance <= negligible_distance * diagonal) break;
   }
   return mesh;

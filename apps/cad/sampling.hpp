@@ -32,10 +32,19 @@ struct SampledMesh {
   SamplingError error{};
   double worst_shape = 1;             ///< least sine of the angle between a_1 and a_2; negative: a cell folds over
   Vector3d worst_place = Vector3d::Zero();
+  struct BadCell {
+    double shape;
+    SmallPlace remedy;
+  };
+  std::vector<BadCell> bad{};  ///< cells with a worse shape than `fair_shape`
 };
 
+inline constexpr double fair_shape = 0.05;
+
+/// Samples with degree 2, which shows the shapes of the cells.
+SampledMesh sampled_coarsely(const JoinedPart& part, const Quads& quads);
+
 /// Samples with the lowest degree of 1, 2, 4, 6 and 8 whose error is below what the estimate of an error could see.
-/// Ends early where a cell folds over.
 SampledMesh sampled(const JoinedPart& part, const Quads& quads, double diagonal);
 
 }  // namespace plastron::cad

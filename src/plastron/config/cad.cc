@@ -120,7 +120,7 @@ void read_faces_of_region(Table& region, const std::optional<std::string>& name)
   if (name) region.reading().part["regions"].push_back({{"name", *name}, {"selector", std::move(selector)}});
 }
 
-void read_boundaries(Table& root) {
+void read_named_edges(Table& root) {
   root.in_tables("boundary", [&](Table& boundary) {
     if (root.reading().domain && !is_part(root)) return report_without_part(boundary, "edges");
     const auto name = boundary.known_name("name", "boundary", {});

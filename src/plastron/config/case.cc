@@ -53,7 +53,7 @@ Case parsed(std::string text, std::string file_name, std::filesystem::path folde
   read_imperfections(root, result.problem);
   read_shell(root, result.problem);
   read_regions(root, result.problem);
-  read_boundaries(root);
+  read_named_edges(root);
   read_mesh(root, result.problem);
   read_joins(root, result.problem);
   read_rigid_bodies(root, result.problem);

@@ -49,7 +49,7 @@ std::vector<Section> cad_sections();
 /// Reads `faces` of [geometry] and of a [[region]], and [[boundary]], into Reading::part.
 void read_chosen_faces(Table& geometry);
 void read_faces_of_region(Table& region, const std::optional<std::string>& name);
-void read_boundaries(Table& root);
+void read_named_edges(Table& root);
 /// Writes the job for plastron-cad. Call it after [units], to which lengths are converted.
 void complete_part(Table& root, problem::Problem& problem);
 
