@@ -45,7 +45,6 @@ SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
   Vector3d best_place = Vector3d::Zero();
   std::vector<SmallPlace> small;
   for (int k = 0; k < tries; ++k) try {
-      if (getenv("DBG")) fprintf(stderr, "try %d small %zu shape %g\n", k, small.size(), best_shape);
       Quads quads = quads_of(part, size, small);
       SampledMesh mesh = sampled_coarsely(part, quads);
       if (mesh.worst_shape > best_shape) {
@@ -82,7 +81,7 @@ std::vector<std::string> notes_of(const PartFile& file, const JoinedPart& part, 
   if (mesh.worst_shape < fair_shape)
     notes.push_back(fmt::format("a cell has an angle of {:.2g} degrees at ({:.6g}, {:.6g}, {:.6g}) m, where edges of a face "
                                 "nearly touch along each other",
-                                std::asin(mesh.worst_shape) * 180 / std::numbers::pi, mesh.worst_place[0] / mm,
+                                std::asin(std::max(0.0, mesh.worst_shape)) * 180 / std::numbers::pi, mesh.worst_place[0] / mm,
                                 mesh.worst_place[1] / mm, mesh.worst_place[2] / mm));
   if (part.joined_edges > 0)
     notes.push_back(fmt::format("{} edges of two faces were made one (tolerance {:.2g} m)", part.joined_edges,

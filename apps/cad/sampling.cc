@@ -1,12 +1,12 @@
 #include "sampling.hpp"
 
-#include <BRepAdaptor_Curve.hxx>
+#include "edge_curve.hpp"
+
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_Surface.hxx>
-#include <ShapeAnalysis_Curve.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopoDS.hxx>
 #include <gp_Sphere.hxx>
@@ -140,38 +140,7 @@ class FaceSurface {
   double centre_sign_ = 1;
 };
 
-/// An edge by its parameter.
-class EdgeCurve {
- public:
-  explicit EdgeCurve(const TopoDS_Edge& edge)
-      : curve_(edge), is_closed_(curve_.Value(curve_.FirstParameter()).Distance(curve_.Value(curve_.LastParameter())) <=
-                                 1e-9 + 2 * BRep_Tool::Tolerance(edge)) {}
-
-  Vector3d at(double t) const { return vector_of(curve_.Value(t)); }
-  double nearest(const Vector3d& point) const {
-    gp_Pnt projected;
-    double t = 0;
-    ShapeAnalysis_Curve().Project(curve_, point_of(point), 1e-9, projected, t);
-    return std::clamp(t, curve_.FirstParameter(), curve_.LastParameter());
-  }
-  /// Parameters of the ends of a line on the curve.
-  std::array<double, 2> ends(const Vector3d& a, const Vector3d& b) const {
-    std::array<double, 2> t{nearest(a), nearest(b)};
-    const double first = curve_.FirstParameter(), last = curve_.LastParameter(), half = (last - first) / 2;
-    if (!is_closed_ || std::abs(t[1] - t[0]) <= half) return t;
-    // One end is where the curve closes: there both ends of the curve are meant.
-    const int low = t[0] < t[1] ? 0 : 1;
-    const bool low_is_end = t[low] - first < last - t[1 - low];
-    (low_is_end ? t[low] : t[1 - low]) = low_is_end ? last : first;
-    return t;
-  }
-
- private:
-  BRepAdaptor_Curve curve_;
-  bool is_closed_;
-};
-
-/// Barycentric weights and values of the Lagrange polynomials at equidistant nodes on [0, 1].
+/// Values of the Lagrange polynomials at equidistant nodes on [0, 1].
 std::vector<double> lagrange(int degree, double x) {
   std::vector<double> values(static_cast<std::size_t>(degree) + 1, 1);
   for (int i = 0; i <= degree; ++i)
@@ -410,7 +379,11 @@ SampledMesh sampled(const JoinedPart& part, const Quads& quads, double diagonal)
   SampledMesh mesh;
   for (const int degree : {1, 2, 4, 6, 8}) {
     if (degree > 2 && static_cast<double>(quads.cells.size()) * degree * degree > most_nodes) break;
-    mesh = sampler(degree);
+    SampledMesh next = sampler(degree);
+    // Near tips and tangent edges a higher degree may fold what a lower one does not.
+    constexpr double unfolded = -1e-6;
+    if (degree > 2 && next.worst_shape < std::min(unfolded, mesh.worst_shape)) break;
+    mesh = std::move(next);
     if (mesh.error.direction <= negligible_direction && mesh.error.distance <= negligible_distance * diagonal) break;
   }
   return mesh;

@@ -1,4 +1,5 @@
 #include <plastron/facets/cells.hpp>
+#include <plastron/facets/triangle_pairs.hpp>
 #include <plastron/facets/triangles.hpp>
 #include <plastron/facets/untangle.hpp>
 
@@ -7,64 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace plastron::facets {
 
 namespace {
-
-/// Two triangles on a side and the quadrilateral that they make.
-struct Pair {
-  double skewness;  ///< largest difference of an angle from a right one [rad]
-  std::array<std::size_t, 2> triangles;
-  std::array<int, 4> corners;
-};
-
-double skewness_of(const std::array<int, 4>& corners, const std::vector<Vector3d>& points) {
-  double largest = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vector3d& at = points[corners[k]];
-    const Vector3d next = points[corners[(k + 1) % 4]] - at, last = points[corners[(k + 3) % 4]] - at;
-    const double angle = std::atan2(next.cross(last).norm(), next.dot(last));
-    largest = std::max(largest, std::abs(angle - std::numbers::pi / 2));
-  }
-  return largest;
-}
-
-/// Adds the pair of two triangles on the side of the first one from corner k to the next.
-void add_pair(const Remeshed& mesh, const std::array<std::size_t, 2>& both, std::size_t k, std::vector<Pair>& pairs) {
-  constexpr double most_skew = std::numbers::pi / 3;
-  const auto &t = mesh.triangles[both[0]], &o = mesh.triangles[both[1]];
-  const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
-  int d = o[0];
-  for (const int corner : o)
-    if (corner != a && corner != b) d = corner;
-  const std::array corners{a, d, b, c};
-  const auto normal = [&](int p, int q, int r) {
-    return Vector3d((mesh.points[q] - mesh.points[p]).cross(mesh.points[r] - mesh.points[p]));
-  };
-  // Each of the two other triangles of the quadrilateral must be turned alike, too: else it has an angle above 180 degrees.
-  const Vector3d mean = normal(a, b, c) + normal(a, d, b);
-  if (normal(a, d, c).dot(mean) <= 0 || normal(d, b, c).dot(mean) <= 0) return;
-  const double skewness = skewness_of(corners, mesh.points);
-  if (skewness < most_skew) pairs.push_back({skewness, both, corners});
-}
-
-std::vector<Pair> pairs_of(const Remeshed& mesh, const std::map<Ends, int>& curve_at) {
-  std::map<Ends, std::vector<std::pair<std::size_t, std::size_t>>> at_side;  // triangle and corner
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      at_side[ascending(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3])].emplace_back(t, k);
-  std::vector<Pair> pairs;
-  for (const auto& [ends, both] : at_side)
-    if (both.size() == 2 && !curve_at.contains(ends))
-      add_pair(mesh, {both[0].first, both[1].first}, both[0].second, pairs);
-  std::ranges::sort(pairs, {}, [](const Pair& pair) { return std::tuple(pair.skewness, pair.triangles); });
-  return pairs;
-}
 
 /// A triangle, or a pair of two, that becomes cells.
 struct Polygon {
@@ -109,10 +58,10 @@ class CellBuilder {
  private:
   void choose_polygons() {
     std::vector<bool> is_used(mesh_.triangles.size(), false);
-    for (const auto& [skewness, both, corners] : pairs_of(mesh_, curve_at_)) {
-      if (is_used[both[0]] || is_used[both[1]]) continue;
-      is_used[both[0]] = is_used[both[1]] = true;
-      polygons_.push_back({{corners.begin(), corners.end()}, {both.begin(), both.end()}});
+    const auto is_curve = [&](const Ends& ends) { return curve_at_.contains(ends); };
+    for (const TrianglePair& pair : triangle_pairs(mesh_.points, mesh_.triangles, is_curve)) {
+      is_used[pair.triangles[0]] = is_used[pair.triangles[1]] = true;
+      polygons_.push_back({{pair.corners.begin(), pair.corners.end()}, {pair.triangles.begin(), pair.triangles.end()}});
     }
     for (std::size_t t = 0; t < is_used.size(); ++t)
       if (!is_used[t]) polygons_.push_back(triangle(t));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -62,18 +63,28 @@ void use_normal_of_file(const Vector3d& given, std::span<DirectorNode> fans, con
                     place_of(where), in_degrees(nearest)));
 }
 
-/// The normal that the file gives for a cell at a node, on the side of a_1 x a_2. Throws SurfaceError if it is far from that.
-Vector3d given_normal(const SpaceMesh& mesh, const SurfaceCell& cell, Eigen::Index place, const Vector3d& drawn) {
-  constexpr double allowed = 60 * one_degree;
-  const Vector3d& given = cell.normals[static_cast<std::size_t>(place)];
-  const Vector3d along = given.dot(drawn) < 0 ? Vector3d(-given) : given;
-  if (!(given.norm() > 0) || !given.allFinite() || angle_between(along, drawn) > allowed)
-    throw SurfaceError(
-        SurfaceError::About::cells,
-        fmt::format("the normal that the file gives for {} at {} is more than 60 degrees off that of the element; correct "
-                    "it or leave out the normals",
-                    place_of(cell), place_of(mesh.nodes[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(place)])])));
-  return along.normalized();
+/// The normals that the file gives for a cell, on the side of a_1 x a_2. Throws SurfaceError where one is far from that.
+std::vector<Vector3d> given_normals(const SpaceMesh& mesh, const SurfaceCell& cell, const PatchPoints& points) {
+  constexpr double allowed = 60 * one_degree, part = 1e-3;
+  double side = 0, largest = 0;
+  for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
+    side += cell.normals[static_cast<std::size_t>(n)].dot(points.normal(n));
+    largest = std::max(largest, points.normal(n).norm());
+  }
+  std::vector<Vector3d> normals;
+  for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
+    const Vector3d given = (side < 0 ? -1 : 1) * cell.normals[static_cast<std::size_t>(n)];
+    // Where the edges of a part are tangent to each other, the cell has no normal of its own.
+    const bool has_own = points.normal(n).norm() > part * largest;
+    if (!(given.norm() > 0) || !given.allFinite() || (has_own && angle_between(given, points.normal(n)) > allowed))
+      throw SurfaceError(
+          SurfaceError::About::cells,
+          fmt::format("the normal that the file gives for {} at {} is more than 60 degrees off that of the element; "
+                      "correct it or leave out the normals",
+                      place_of(cell), place_of(mesh.nodes[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(n)])])));
+    normals.push_back(given.normalized());
+  }
+  return normals;
 }
 
 /// Corrections of the normals at the ends of a cell's lines of nodes, see set_directors().
@@ -170,16 +181,17 @@ LatticeNormals lattice_normals(const SpaceMesh& mesh) {
     const PatchPoints points = patch_points(tables(cell.order), mesh, cell);
     const double degenerate = degenerate_normal(points);
     normals.first.push_back(normals.normal.size());
+    const bool has_normals = !cell.normals.empty();
+    if (has_normals) std::ranges::copy(given_normals(mesh, cell, points), std::back_inserter(normals.normal));
     for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
-      if (!(points.normal(n).norm() > degenerate))
+      if (!has_normals && !(points.normal(n).norm() > degenerate))
         throw SurfaceError(
             SurfaceError::About::cells,
             fmt::format(
                 "{} is degenerate at {}: it has no normal there; all corners must be above 0 and below 180 degrees, "
                 "and no two nodes may coincide",
                 place_of(cell), place_of(mesh.nodes[cell.nodes[n]])));
-      normals.normal.push_back(cell.normals.empty() ? Vector3d(points.normal(n).normalized())
-                                                    : given_normal(mesh, cell, n, points.normal(n)));
+      if (!has_normals) normals.normal.push_back(points.normal(n).normalized());
       normals.weight.push_back(1);
     }
     const auto places = corner_places(mesh.shape, cell.order);
