@@ -30,6 +30,7 @@ std::vector<Section> file_sections() {
             tables("region", "thickness, material, density of a region"),
             table("accuracy", "required accuracy of results"),
             table("mesh", "the discretisation"),
+            tables("boundary", "names of edges of a CAD file"),
             tables("join", "joined edges"),
             tables("rigid_body", "rigid bodies that carry edges"),
             tables("support", "prescribed displacements and rotations"),
