@@ -29,6 +29,7 @@ struct Job {
   std::optional<double> default_unit{};  ///< the same where the file names none
   std::optional<double> size{};       ///< sides of the cells, in the case's unit
   std::optional<double> tolerance{};  ///< edges nearer than this are one edge, in the case's unit
+  std::optional<double> thickness{};  ///< of the shell, if it is one number, in the case's unit
   bool takes_skins = false;           ///< whether the faces of thin solids are the shell, and not the middle between them
   nlohmann::json faces{};             ///< which faces are the shell; null: all
   std::vector<Selection> regions{}, boundaries{};

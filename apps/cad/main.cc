@@ -28,9 +28,9 @@ namespace plastron::cad {
 
 namespace {
 
-/// Sides of cells where the case names none: some 400 cells on the area.
+/// Sides of cells where the case names none: some 200 cells on the area.
 double default_size(double area) {
-  constexpr double cells = 400;
+  constexpr double cells = 200;
   return std::sqrt(area / cells);
 }
 
@@ -60,7 +60,15 @@ SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
       mistake = error.what();
       size *= smaller;
     }
-  if (best && best_shape > possible) return sampled(part, *best, diagonal_of(part.shape));
+  if (best && best_shape > possible) {
+    const double diagonal = diagonal_of(part.shape);
+    SampledMesh mesh = sampled(part, *best, diagonal);
+    constexpr double farthest = 1e-3;
+    if (mesh.error.distance > farthest * diagonal)
+      throw PartError(fmt::format("its cells are up to {:.2g} mm off its faces, which are damaged or too curved for them; {}",
+                                  mesh.error.distance, is_given ? "take a smaller size" : "set size"));
+    return mesh;
+  }
   if (best)
     mistake = fmt::format("a cell folds over at ({:.6g}, {:.6g}, {:.6g}) mm", best_place[0], best_place[1], best_place[2]);
   throw PartError(fmt::format("{}, also with smaller cells; {}", mistake,
@@ -114,6 +122,9 @@ void mesh_part(const Job& job, const std::string& path) {
     for (const LabelledFace& face : part.labelled) of_faces.push_back(thickness.at(face.number));
     move_to_middle(mesh, of_faces);
     for (const ThinSide& side : sides)
+      if (const double e = side.thickness / job.mm(); job.thickness && std::abs(*job.thickness - e) > 0.01 * e)
+        notes.push_back(fmt::format("warning: the solid is {:.6g} m thick, and [shell] has the thickness {:.6g} m", e, *job.thickness));
+    for (const ThinSide& side : sides)
       notes.push_back(fmt::format("the mid-surface of a solid of {:.6g} m thickness is made from the {} faces of one side",
                                   side.thickness / job.mm(), side.faces.size()));
   }
@@ -163,6 +174,7 @@ Job read_job(const std::string& part, const std::string& text) {
   job.default_unit = number("default_unit");
   job.size = number("size");
   job.tolerance = number("tolerance");
+  job.thickness = number("thickness");
   job.takes_skins = json.value("skins", false);
   if (json.contains("faces")) job.faces = json["faces"];
   const auto selections = [&](const char* key, std::vector<Selection>& all) {

@@ -156,8 +156,9 @@ class Solid {
   void find_skins() {
     constexpr double slender = 0.3, most = 0.5;
     is_skin_.assign(faces_.size(), false);
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      is_skin_[i] = opposite_[i].share >= most && opposite_[i].distance < slender * std::sqrt(area_of(faces_[i].face));
+    for (std::size_t i = 0; i < faces_.size(); ++i)  // a face that is opposite to itself goes round a bar
+      is_skin_[i] = opposite_[i].share >= most && !opposite_[i].faces.contains(static_cast<int>(i)) &&
+                    opposite_[i].distance < slender * std::sqrt(area_of(faces_[i].face));
   }
 
   void connect(const TopoDS_Shape& shape) {

@@ -40,6 +40,7 @@ class FaceSurface {
         sign_(face.Orientation() == TopAbs_REVERSED ? -1 : 1) {
     const GeomAdaptor_Surface adaptor(surface_);
     is_elementary_ = adaptor.GetType() <= GeomAbs_Torus;
+    surface_->Bounds(low_[0], high_[0], low_[1], high_[1]);
     if (surface_->IsUPeriodic()) periods_[0] = surface_->UPeriod();
     if (surface_->IsVPeriodic()) periods_[1] = surface_->VPeriod();
     if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface_); !sphere.IsNull()) {
@@ -52,14 +53,15 @@ class FaceSurface {
   FacePoint nearest(const Vector3d& at) const {
     constexpr double precision = 1e-9;
     const gp_Pnt2d uv = analysis_->ValueOfUV(point_of(at), precision);
-    return point(improved(at, {uv.X(), uv.Y()}).parameters);
+    const Foot foot = improved(at, {uv.X(), uv.Y()});
+    return point(foot.is_found && is_within(foot.parameters) ? foot.parameters : Vector2d(uv.X(), uv.Y()));
   }
 
   /// Searches from parameters nearby. Search on the whole of a spline takes a thousand times as long.
   FacePoint nearest(const Vector3d& at, const Vector2d& guess) const {
     if (is_elementary_) return nearest(at);
     const Foot foot = improved(at, guess);
-    return foot.is_found ? point(foot.parameters) : nearest(at);
+    return foot.is_found && is_within(foot.parameters) ? point(foot.parameters) : nearest(at);
   }
 
   /// The parameters of a point as a continuation of those of another one.
@@ -78,6 +80,16 @@ class FaceSurface {
   }
 
  private:
+  /// Whether a surface that ends has these parameters; the polynomials of a spline go on beyond them, and away from the part.
+  bool is_within(const Vector2d& uv) const {
+    constexpr double rounding = 1e-7;
+    for (const int k : {0, 1})
+      if (periods_[k] == 0 && (uv[k] < low_[k] - rounding * (high_[k] - low_[k]) ||
+                               uv[k] > high_[k] + rounding * (high_[k] - low_[k])))
+        return false;
+    return true;
+  }
+
   struct Foot {
     Vector2d parameters;
     bool is_found = false;
@@ -135,7 +147,8 @@ class FaceSurface {
   Handle(ShapeAnalysis_Surface) analysis_;
   double sign_;
   bool is_elementary_ = false;
-  std::array<double, 2> periods_{};  // 0: none
+  std::array<double, 2> low_{}, high_{};  // of the parameters
+  std::array<double, 2> periods_{};       // 0: none
   std::optional<Vector3d> centre_{};
   double centre_sign_ = 1;
 };

@@ -108,8 +108,10 @@ std::vector<Section> cad_sections() {
 }
 
 void read_chosen_faces(Table& geometry) {
+  for (const char* name : {"faces", "solids"})
+    if (geometry.has(name) && !is_part(geometry)) return report_without_part(geometry, name);
+  if (geometry.text("solids") == "faces") geometry.reading().part["skins"] = true;
   if (!geometry.has("faces")) return;
-  if (!is_part(geometry)) return report_without_part(geometry, "faces");
   geometry.reading().part["faces"] = read_selector(geometry, "faces", "face");
 }
 
@@ -147,6 +149,8 @@ void complete_part(Table& root, problem::Problem& problem) {
   if (file->in_space->file_unit > 0) job["file_unit"] = file->in_space->file_unit;
   if (file->in_space->size) job["size"] = *file->in_space->size;
   if (file->in_space->tolerance) job["tolerance"] = *file->in_space->tolerance;
+  if (const auto& thickness = problem.shell.sections.common.thickness; thickness.is_constant())
+    job["thickness"] = thickness(0, 0);
   for (const auto& [name, value] : root.reading().constants) job["constants"][name] = value;
   file->cad_job = job.dump();
 }

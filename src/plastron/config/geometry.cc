@@ -114,9 +114,12 @@ std::vector<Section> geometry_sections() {
             "Lengths are converted to the length of [units], or to m"),
         key("faces", Kind::table, {.shorthand = Kind::name_or_names},
             "of a CAD file: the faces that are the shell; also written as a name or a list of names. If not given, all"),
+        key("solids", Kind::word, {.fallback = "\"middle\"", .words = {"middle", "faces"}},
+            "of a CAD file with solids. middle: a thin solid, whose faces are opposite to each other at one distance, is the "
+            "surface in the middle between them. faces: its faces are the shell"),
         key("size", &SpaceReading::size, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
-            "sides of the cells that are made on faces of a CAD file or from facets. If not given: about 400 on a part, "
+            "sides of the cells that are made on faces of a CAD file or from facets. If not given: about 200 on a part, "
             "2000 for facets, or smaller ones where these fold at small features. "
             "`plastron check` prints it"),
         key("scale", &SpaceReading::scale, {.fallback = "1", .range = Range::positive()},
@@ -182,7 +185,7 @@ std::optional<domain::Domain> read_file(Table& geometry) {
 }
 
 void refuse_keys_of_files(const Table& geometry) {
-  for (const char* name : {"unit", "faces", "scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
+  for (const char* name : {"unit", "faces", "solids", "scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
     if (geometry.has(name))
       geometry.report_key(name, fmt::format("{} is a key of a mesh in space", name), "",
                           "name the mesh: file = \"part.msh\"");

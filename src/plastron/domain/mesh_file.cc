@@ -289,7 +289,11 @@ class Reader {
     for (std::size_t i = 0; i < count; ++i) {
       text_.expect_line("a note");
       if (!is_printable(text_.line())) text_.refuse("a note has characters that cannot be printed");
-      data_.notes.emplace_back(text_.line());
+      constexpr std::string_view warning = "warning: ";
+      if (text_.line().starts_with(warning))
+        data_.warnings.emplace_back(text_.line().substr(warning.size()));
+      else
+        data_.notes.emplace_back(text_.line());
     }
     text_.skip_rest_of_line();
   }

@@ -25,6 +25,11 @@ std::string counted(std::size_t number, const char* one, const char* several) {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
+/// Whether the cells have the normals of the part from which they were made.
+bool has_normals(const domain::FileSurface& surface) {
+  return std::ranges::none_of(surface.topology.mesh.cells, [](const auto& cell) { return cell.normals.empty(); });
+}
+
 /// `names_units`: the case has [units], so that its lengths are meant as they are.
 void report_cells(Findings& findings, const domain::FileSurface& surface, const topology::SurfaceSummary& summary,
                   bool names_units) {
@@ -49,7 +54,7 @@ void report_cells(Findings& findings, const domain::FileSurface& surface, const 
   if (surface.merged_nodes > 0)
     add(findings, Severity::note, "{} were at the place of others and are one with them",
         counted(surface.merged_nodes, "node", "nodes"));
-  if (least == 1 && !surface.is_remeshed)
+  if (least == 1 && !surface.is_remeshed && !has_normals(surface))
     add(findings, Severity::note,
         "cells of order 1 are facets: a curved part needs ten times finer cells than of order 2; export order 2 "
         "(Gmsh: Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 0; Abaqus, CalculiX: S8)");
