@@ -10,7 +10,9 @@
 #include <Bnd_Box.hxx>
 #include <Geom_Surface.hxx>
 #include <ShapeAnalysis_Surface.hxx>
+#include <ShapeUpgrade_ShapeDivideContinuity.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -50,6 +52,24 @@ JoinedPart labelled(const TopoDS_Shape& shape, const std::vector<LabelledFace>& 
       }
     });
   return part;
+}
+
+/// Cuts faces along lines inside them where their surfaces have a kink: a fold may lie on an edge only.
+std::vector<LabelledFace> divided_at_kinks(const std::vector<LabelledFace>& faces) {
+  std::vector<LabelledFace> divided;
+  for (const LabelledFace& face : faces) {
+    if (BRep_Tool::Surface(face.face)->Continuity() != GeomAbs_C0) {
+      divided.push_back(face);
+      continue;
+    }
+    ShapeUpgrade_ShapeDivideContinuity division(face.face);
+    division.SetSurfaceCriterion(GeomAbs_C1);
+    division.SetTolerance(BRep_Tool::Tolerance(face.face));
+    division.Perform();
+    for (TopExp_Explorer part(division.Result(), TopAbs_FACE); part.More(); part.Next())
+      divided.push_back({TopoDS::Face(part.Current()), face.label, face.number});
+  }
+  return divided;
 }
 
 JoinedPart sewn(const std::vector<LabelledFace>& faces, double tolerance) {
@@ -133,7 +153,7 @@ JoinedPart imprinted(const JoinedPart& part, double tolerance) {
 JoinedPart joined(const PartFile& part, std::optional<double> tolerance) {
   constexpr double relative = 1e-6;  // of the diagonal
   const double used = tolerance.value_or(relative * diagonal_of(compound_of(part.faces)));
-  JoinedPart result = sewn(part.faces, used);
+  JoinedPart result = sewn(divided_at_kinks(part.faces), used);
   const int joints = open_joints(result, used);
   if (joints > 0) {
     const int joined_edges = result.joined_edges;

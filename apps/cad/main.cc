@@ -23,6 +23,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
 namespace plastron::cad {
 
@@ -79,13 +80,18 @@ std::vector<std::string> notes_of(const PartFile& file, const JoinedPart& part, 
                                   const Job& job) {
   const double mm = job.mm();
   std::vector<std::string> notes;
+  std::set<int> numbers;
+  for (const LabelledFace& face : part.labelled) numbers.insert(face.number);
   notes.push_back(fmt::format("{} of {} faces of the file{} are the shell, {:.10g} m^2; {} cells of degree {} with sides of "
                               "about {:.3g} m",
-                              part.labelled.size(), file.faces.size(),
+                              numbers.size(), file.faces.size(),
                               file.unit.empty() ? "" : fmt::format(" (in {})", file.unit),
                               area_of(part.shape) / (mm * mm), mesh.cells.size(), mesh.degree, size / mm));
-  notes.push_back(fmt::format("the cells are up to {:.1e} m off the faces, and their normals {:.1e} degrees",
-                              mesh.error.distance / mm, mesh.error.direction * 180 / std::numbers::pi));
+  constexpr double large = 0.01;  // [rad]
+  const bool is_rough = mesh.error.direction > large;
+  notes.push_back(fmt::format("{}the cells are up to {:.1e} m off the faces, and their normals {:.1e} degrees{}",
+                              is_rough ? "warning: " : "", mesh.error.distance / mm,
+                              mesh.error.direction * 180 / std::numbers::pi, is_rough ? "; take a smaller size" : ""));
   if (mesh.worst_shape < fair_shape)
     notes.push_back(fmt::format("a cell has an angle of {:.2g} degrees at ({:.6g}, {:.6g}, {:.6g}) m, where edges of a face "
                                 "nearly touch along each other",

@@ -102,6 +102,7 @@ class FaceSurface {
     gp_Pnt p;
     gp_Vec du, dv, duu, dvv, duv;
     Foot foot{uv};
+    double first_distance = 0;
     for (int step = 0; step < steps; ++step) {
       surface_->D2(uv[0], uv[1], p, du, dv, duu, dvv, duv);
       const Vector3d r = vector_of(p) - at, a = vector_of(du), b = vector_of(dv);
@@ -113,6 +114,9 @@ class FaceSurface {
       const double mixed = a.dot(b) + r.dot(vector_of(duv));
       h << a.dot(a) + r.dot(vector_of(duu)), mixed, mixed, b.dot(b) + r.dot(vector_of(dvv));
       const double singular = 1e-12 * a.squaredNorm() * b.squaredNorm();
+      if (step == 0) first_distance = r.norm();
+      const bool is_nearest = h(0, 0) > 0 && h.determinant() > singular && r.norm() <= first_distance * (1 + 1e-9) + 1e-12 * scale;
+      foot.is_found = foot.is_found && is_nearest;
       if (!(h.determinant() > singular)) break;
       const Vector2d change = -h.inverse() * gradient;
       if (!change.allFinite()) break;
