@@ -83,7 +83,7 @@ ExitCode parts(const PartsOptions& options) {
   const bool is_part = domain::is_cad_file(options.file);
   if (is_part) file.cad_job = cad_job(options);
   const domain::FileSurface surface = domain::read_surface(file, {});
-  const auto findings = examination::surface_findings(surface);
+  const auto findings = examination::surface_findings(surface, is_part);
   const auto regions = report::region_parts(surface);
   const auto curves = report::curve_parts(surface);
   // A file of a mesh names no units; lengths of a CAD file are converted.

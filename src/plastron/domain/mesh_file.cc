@@ -384,7 +384,9 @@ MeshData read_msh(Arguments&&... arguments) {
 MeshData read_msh_file(const std::string& path) { return read_msh(path, "mesh file", geometry::Lines::end_words); }
 
 MeshData read_msh_text(const std::string& path, std::string text) {
-  return read_msh(path, std::move(text), geometry::Lines::end_words, std::in_place);
+  MeshData data = read_msh(path, std::move(text), geometry::Lines::end_words, std::in_place);
+  for (MeshElement& element : data.elements) element.line = 0;  // of a file that the user does not see
+  return data;
 }
 
 mesh::CoarseMesh read_mesh_file(const MeshFile& file, mesh::Shape shape) {

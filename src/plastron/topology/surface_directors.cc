@@ -65,7 +65,7 @@ void use_normal_of_file(const Vector3d& given, std::span<DirectorNode> fans, con
 
 /// The normals that the file gives for a cell, on the side of a_1 x a_2. Throws SurfaceError where one is far from that.
 std::vector<Vector3d> given_normals(const SpaceMesh& mesh, const SurfaceCell& cell, const PatchPoints& points) {
-  constexpr double allowed = 60 * one_degree, part = 1e-3;
+  constexpr double allowed = 60 * one_degree, part = 0.02;
   double side = 0, largest = 0;
   for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
     side += cell.normals[static_cast<std::size_t>(n)].dot(points.normal(n));

@@ -82,10 +82,16 @@ void find_bad_cells(const SpaceMesh& mesh, SurfaceFlaws& flaws) {
     Vector3d mean = Vector3d::Zero();
     for (Eigen::Index p = 0; p < points.phi.rows(); ++p)
       mean += normals.emplace_back(points.normal(p)) / static_cast<double>(points.phi.rows());
+    double longest = 0;
+    for (const Vector3d& normal : normals) longest = std::max(longest, normal.norm());
+    // Cells with normals of a part may have a corner where edges are tangent to each other, as the part has.
+    constexpr double tip = 1e-3;
+    const double ignored = cell.normals.empty() ? -1 : tip * longest;
     std::size_t worst = 0;
     double least_cosine = 1, least = HUGE_VAL, largest = 0;
     for (std::size_t p = 0; p < normals.size(); ++p) {
       const double norm = normals[p].norm();
+      if (norm <= ignored) continue;
       const double cosine = norm > degenerate ? normals[p].dot(mean) / (norm * mean.norm()) : -1;
       if (!(cosine >= least_cosine)) {
         least_cosine = cosine;
