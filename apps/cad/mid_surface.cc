@@ -96,10 +96,10 @@ class Solid {
         for (const int other : opposite_[i].faces)
           if (is_skin_[other]) partners[component_[i]].insert(component_[other]);
     if (partners.size() != 2 || std::ranges::any_of(partners, [](const auto& p) { return p.second.size() != 1 || p.second.contains(p.first); }))
-      throw PartError(fmt::format(
-          "a solid is thin, but its faces are no two sides of one sheet: it branches, or has several thin parts ({} sides "
-          "are found); choose the faces of the shell by hand: faces = [...], or give the mid-surface as surfaces",
-          partners.size()));
+      throw PartError(
+          "a solid is thin in places, but it is no sheet with two sides: it branches, or is thick elsewhere; choose the "
+          "faces of the shell: faces = [...] with offset = 0.5, export the mid-surface from the CAD program, or take the skin: "
+          "solids = \"faces\"");
     check_rims();
     std::map<int, double> areas;
     for (std::size_t i = 0; i < faces_.size(); ++i)

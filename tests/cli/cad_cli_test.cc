@@ -1,0 +1,197 @@
+// CAD files from the command line: closed forms on true surfaces, thin solids, T-joints, names, units, kept meshes, damage.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <random>
+
+#include "cli/part_files.hpp"
+#include "cli/program.hpp"
+
+namespace plastron::cli {
+namespace {
+
+using part_files::write_step;
+using nlohmann::json;
+using std::numbers::pi;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string case_of(const std::string& geometry, const std::string& rest, double thickness = 2) {
+  return "[units]\nlength = \"mm\"\nforce = \"N\"\n[shell]\nE = 210000\nnu = 0.3\nthickness = " + std::to_string(thickness) +
+         "\n[geometry]\n" + geometry + rest;
+}
+
+json results_of(const Scratch& scratch, const std::string& text, double patience = 120) {
+  scratch.write("part.toml", text);
+  const Outcome run = plastron({"run", "part.toml", "--output", "out"}, scratch.path, patience);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  return json::parse(text_of(scratch.path / "out" / "results.json"));
+}
+
+/// A closed sphere under pressure: u_r = p R^2 (1 - nu) / (2 E e (1 + e^2 / (12 R^2))), exact in Naghdi's model.
+TEST(CadFile, ASphereIsTheExactOne) {
+  const double R = 10, e = 0.5, E = 210000, nu = 0.3, p = 100;
+  const Scratch scratch;
+  write_step(scratch.path / "sphere.step", [&] { gmsh::model::occ::addSphere(0, 0, 0, R); });
+  const std::string supports =
+      "[[support]]\npoint = [0, 0, 10]\nfix = [\"u.x\", \"u.y\"]\n[[support]]\npoint = [0, 0, -10]\nfix = [\"u\"]\n"
+      "[[support]]\npoint = [10, 0, 0]\nfix = [\"u.y\"]\n";
+  const json results = results_of(scratch, case_of("file = \"sphere.step\"\n", supports + "[[load]]\npressure = -100\n", e));
+  const double u = p * R * R * (1 - nu) / (2 * E * e * (1 + e * e / (12 * R * R)));
+  const double energy = 0.5 * p * 4 * pi * R * R * u;
+  EXPECT_NEAR(results["energy"]["total"].get<double>(), energy, 1e-7 * energy);
+}
+
+/// The same bracket in metres, inches and millimetres, and a file that names a wrong unit.
+TEST(CadFile, LengthsAreThoseOfTheCase) {
+  const Scratch scratch;
+  write_step(scratch.path / "plate.step", [] { gmsh::model::occ::addRectangle(0, 0, 0, 100, 60); });
+  const auto area = [&](const std::string& units, const std::string& more) {
+    scratch.write("part.toml", units + "[shell]\nE = 1e9\nnu = 0.3\nthickness = 0.01\n[geometry]\nfile = \"plate.step\"\n" + more);
+    return plastron({"check", "part.toml"}, scratch.path).output;
+  };
+  EXPECT_THAT(area("[units]\nlength = \"mm\"\n", ""), HasSubstr("mid-surface area 6000 mm^2"));
+  EXPECT_THAT(area("", ""), HasSubstr("mid-surface area 0.006 m^2"));
+  EXPECT_THAT(area("[units]\nlength = \"in\"\n", ""), HasSubstr("mid-surface area 9.30002 in^2"));
+  EXPECT_THAT(area("", "unit = \"in\"\n"), HasSubstr("mid-surface area 3.87096 m^2"));
+  EXPECT_THAT(area("", "scale = 1e-3\n"), HasSubstr("a CAD file has a unit"));
+  EXPECT_THAT(area("[units]\nlength = \"furlong\"\n", ""), HasSubstr("cannot be converted to \"furlong\""));
+}
+
+/// The rib's edge lies inside the plate: there both are joined, and the plate carries the rib's load.
+TEST(CadFile, AnEdgeInsideAFaceIsATJoint) {
+  const Scratch scratch;
+  write_step(scratch.path / "rib.step", part_files::draw_rib);
+  const std::string rest =
+      "[[boundary]]\nname = \"ends\"\nedges = { where = \"Z == 0 && (X < 1e-6 || X > 100 - 1e-6)\", free = true }\n"
+      "[[boundary]]\nname = \"top\"\nedges = { where = \"Z > h\" }\n"
+      "[[support]]\nboundary = \"ends\"\nfix = [\"u\", \"r\"]\n[[load]]\nboundary = \"top\"\ntotal = [0, 30, 0]\n"
+      "[constants]\nh = 19.9\n";
+  const json results = results_of(scratch, case_of("file = \"rib.step\"\nsize = 8\n", rest));
+  const double sum = results["supports"][0]["force"][1];
+  EXPECT_NEAR(sum, -30, 1e-8);
+  const Outcome parts = plastron({"parts", "rib.step"}, scratch.path);
+  EXPECT_THAT(parts.output, AllOf(HasSubstr("branches of three cells"), HasSubstr("face 1"), HasSubstr("face 2"), HasSubstr("edge 1")));
+}
+
+/// The mid-surface of bent sheets of random sizes: its area, and the deflection under a load at the end of a leg.
+TEST(CadFile, AThinSolidIsItsMidSurface) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int trial = 0; trial < 3; ++trial) {
+    const double e = 0.5 + 2 * part(random), r = (0.6 + 2 * part(random)) * e, a = 30 + 30 * part(random), b = 10 + 20 * part(random);
+    const Scratch scratch;
+    write_step(scratch.path / "sheet.step", [&] { part_files::draw_bent_sheet(a, b, e, r); });
+    const std::string rest =
+        "[[boundary]]\nname = \"foot\"\nedges = { at = [0, " + std::to_string(b / 2) + ", 0] }\n[[boundary]]\nname = \"tip\"\nedges = { at = [" +
+        std::to_string(a) + ", " + std::to_string(b / 2) + ", " + std::to_string(a) + "] }\n[[support]]\nboundary = \"foot\"\nfix = [\"u\", \"r\"]\n"
+        "[[load]]\nboundary = \"tip\"\ntotal = [1, 0, 0]\n";
+    const json results = results_of(scratch, case_of("file = \"sheet.step\"\n", rest, e));
+    const double straight = a - r - e, radius = r + e / 2, area = b * (2 * straight + pi / 2 * radius);
+    const Outcome check = plastron({"check", "part.toml"}, scratch.path);
+    EXPECT_THAT(check.output, Not(HasSubstr("thick, and [shell] has")));
+    char text[64];
+    std::snprintf(text, sizeof text, "mid-surface area %.6g mm^2", area);
+    EXPECT_THAT(check.output, HasSubstr(text));
+    // Bending of the beam along its middle by the force at the tip: half of F^2 times the integral of arm^2 / EI.
+    const double EI = 210000 * b * e * e * e / 12, height = straight + radius;
+    double sum = std::pow(straight, 3) / 3 + straight * height * height;  // upright leg and foot
+    const int steps = 1000;
+    for (int k = 0; k < steps; ++k) {
+      const double angle = pi / 2 * (k + 0.5) / steps;
+      sum += std::pow(straight + radius * std::sin(angle), 2) * radius * pi / 2 / steps;
+    }
+    const double energy = sum / (2 * EI);
+    // A strip is between a beam and a plate, which is stiffer by 1 / (1 - nu^2).
+    EXPECT_GT(results["energy"]["total"].get<double>(), 0.9 * energy);
+    EXPECT_LT(results["energy"]["total"].get<double>(), 1.02 * energy);
+  }
+}
+
+TEST(CadFile, AnotherThicknessThanTheSolidsIsWarnedOf) {
+  const Scratch scratch;
+  write_step(scratch.path / "sheet.step", [] { part_files::draw_bent_sheet(40, 20, 2, 3); });
+  scratch.write("part.toml", case_of("file = \"sheet.step\"\n", "", 1));
+  EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("the solid is 2 mm thick"));
+}
+
+/// The kept mesh is a mesh like others, with the same result; verify reads it and not the part.
+TEST(CadFile, TheMeshOfARunIsKept) {
+  const Scratch scratch;
+  write_step(scratch.path / "tube.step", [] {
+    gmsh::model::occ::addCylinder(0, 0, 0, 0, 0, 30, 10);
+    gmsh::model::occ::synchronize();
+    gmsh::model::occ::remove({{3, 1}});
+    gmsh::model::occ::remove({{2, 2}, {2, 3}});
+  });
+  const auto rest = [](const std::string& foot) {
+    return "[[support]]\nboundary = \"" + foot + "\"\nfix = [\"u\", \"r\"]\n[[load]]\nregion = \"face 1\"\nforce = [0, 0.01, 0]\n";
+  };
+  const std::string named = "[[boundary]]\nname = \"foot\"\nedges = { where = \"Z < 1e-6\", free = true }\n" + rest("foot");
+  const double energy = results_of(scratch, case_of("file = \"tube.step\"\n", named, 0.5))["energy"]["total"];
+  EXPECT_THAT(plastron({"verify", "out"}, scratch.path).output, HasSubstr("PASSED"));
+  fs::copy_file(scratch.path / "out" / "solution.msh", scratch.path / "kept.msh");
+  const double again = results_of(scratch, case_of("file = \"kept.msh\"\n", rest("foot"), 0.5))["energy"]["total"];
+  EXPECT_NEAR(again, energy, 1e-10 * energy);
+}
+
+TEST(CadFile, WrongChoicesAreTold) {
+  const Scratch scratch;
+  write_step(scratch.path / "rib.step", part_files::draw_rib);
+  const auto check = [&](const std::string& geometry, const std::string& rest = "") {
+    scratch.write("part.toml", case_of("file = \"rib.step\"\n" + geometry, rest));
+    const Outcome outcome = plastron({"check", "part.toml"}, scratch.path);
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.output;
+  };
+  EXPECT_THAT(check("faces = \"face 7\"\n"), AllOf(HasSubstr("no face \"face 7\""), HasSubstr("\"face 1\", \"face 2\"")));
+  EXPECT_THAT(check("faces = { where = \"Z > 100\" }\n"), HasSubstr("finds none of its 2 faces"));
+  EXPECT_THAT(check("faces = { where = \"Q > 100\" }\n"), HasSubstr("unknown name \"Q\""));
+  EXPECT_THAT(check("faces = { colour = \"red\" }\n"), HasSubstr("\"#ff0000\""));
+  EXPECT_THAT(check("faces = {}\n"), HasSubstr("faces has no condition"));
+  EXPECT_THAT(check("", "[[boundary]]\nname = \"rim\"\nedges = { where = \"Z > 100\" }\n"),
+              HasSubstr("the boundary \"rim\" finds none of its"));
+  EXPECT_THAT(check("", "[[region]]\nname = \"a\"\nfaces = \"face 1\"\n[[region]]\nname = \"b\"\nfaces = { at = [0, 0, 0] }\n"),
+              HasSubstr("the regions \"a\" and \"b\" both have face 1"));
+  scratch.write("part.toml", case_of("domain = { rectangle = { to = [1, 1] } }\nchart = [\"x\", \"y\", \"0\"]\n",
+                                     "[[boundary]]\nname = \"rim\"\nedges = \"edge 1\"\n"));
+  EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("[geometry] has none"));
+}
+
+/// Damaged files end with a message and no crash, within the time of the reader.
+TEST(CadFile, DamageIsTold) {
+  const Scratch scratch;
+  write_step(scratch.path / "good.step", part_files::draw_rib);
+  const std::string good = text_of(scratch.path / "good.step");
+  scratch.write("part.toml", case_of("file = \"part.step\"\n", ""));
+  std::mt19937 random(11);
+  const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  for (int trial = 0; trial < 12; ++trial) {
+    std::string text = good;
+    if (trial % 3 == 0) text.resize(below(text.size()));
+    if (trial % 3 == 1)
+      for (int k = 0; k < 30; ++k) text[below(text.size())] = static_cast<char>(below(256));
+    if (trial % 3 == 2) text.erase(below(text.size() / 2), below(text.size() / 2));
+    scratch.write("part.step", text);
+    const Outcome outcome = plastron({"check", "part.toml"}, scratch.path);
+    EXPECT_FALSE(outcome.timed_out);
+    EXPECT_THAT(outcome.exit_code, testing::AnyOf(0, 2)) << outcome.output;
+    EXPECT_THAT(outcome.output, testing::AnyOf(HasSubstr("part.step"), HasSubstr("mesh in space"))) << outcome.output;
+  }
+}
+
+TEST(CadFile, WithoutTheReaderTheProgramSaysSo) {
+  const Scratch scratch;
+  write_step(scratch.path / "rib.step", part_files::draw_rib);
+  scratch.write("part.toml", case_of("file = \"rib.step\"\n", ""));
+  const Outcome outcome = shell("PLASTRON_CAD=/nowhere/plastron-cad $PLASTRON check part.toml", scratch.path);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("plastron-cad, which is not there"));
+}
+
+}  // namespace
+}  // namespace plastron::cli
