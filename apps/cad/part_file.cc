@@ -3,6 +3,7 @@
 #include "part.hpp"
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
@@ -19,7 +20,6 @@
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -98,6 +98,15 @@ void add_faces(const TopoDS_Shape& shape, const Labels& labels, PartFile& part) 
   }
 }
 
+/// Multiplies all lengths.
+void scale_by(double factor, const TopoDS_Shape& shape, PartFile& part) {
+  gp_Trsf scale;
+  scale.SetScaleFactor(factor);
+  BRepBuilderAPI_Transform scaled(shape, scale, true);
+  for (LabelledFace& face : part.faces) face.face = TopoDS::Face(scaled.ModifiedShape(face.face));
+  for (TopoDS_Shape& solid : part.solids) solid = scaled.ModifiedShape(solid);
+}
+
 /// Value of a unit of length that a STEP file names [mm].
 std::optional<double> unit_of_file(STEPControl_Reader& reader, std::string& name) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
@@ -146,13 +155,8 @@ PartFile read_step(const Job& job) {
   add_colours(reader, labels);
   // Open CASCADE has converted the file's unit to mm, or taken mm where it knew none.
   const double factor = stated > 0 ? stated * 1e3 / file_unit.value_or(1) : 1;
-  if (factor == 1) {
-    add_faces(shape, labels, part);
-    return part;
-  }
-  gp_Trsf scale;
-  scale.SetScaleFactor(factor);
-  add_faces(shape.Moved(TopLoc_Location(scale), false), labels, part);
+  add_faces(shape, labels, part);
+  if (factor != 1) scale_by(factor, shape, part);
   return part;
 }
 
@@ -163,10 +167,9 @@ PartFile read_brep(const Job& job) {
   const double stated = job.file_unit.value_or(job.default_unit.value_or(0));
   if (stated == 0)
     throw PartError("a BREP file does not say in which unit its lengths are; state it: unit = \"mm\"");
-  gp_Trsf scale;
-  scale.SetScaleFactor(stated * 1e3);
   PartFile part;
-  add_faces(stated == 1e-3 ? shape : shape.Moved(TopLoc_Location(scale), false), {}, part);
+  add_faces(shape, {}, part);
+  if (stated != 1e-3) scale_by(stated * 1e3, shape, part);
   return part;
 }
 
