@@ -15,8 +15,9 @@ namespace plastron::cad {
 class EdgeCurve {
  public:
   explicit EdgeCurve(const TopoDS_Edge& edge)
-      : curve_(edge), is_closed_(curve_.Value(curve_.FirstParameter()).Distance(curve_.Value(curve_.LastParameter())) <=
-                                 1e-9 + 2 * BRep_Tool::Tolerance(edge)) {}
+      : curve_(edge),
+        is_closed_(curve_.Value(curve_.FirstParameter()).Distance(curve_.Value(curve_.LastParameter())) <=
+                   1e-9 + 2 * BRep_Tool::Tolerance(edge)) {}
 
   Vector3d at(double t) const { return vector_of(curve_.Value(t)); }
   double nearest(const Vector3d& point) const {

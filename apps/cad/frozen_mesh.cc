@@ -31,7 +31,9 @@ int line_type(int degree) { return degree == 1 ? 1 : degree == 2 ? 8 : degree <=
 /// Groups of names, numbered from 1.
 class Groups {
  public:
-  int number(const std::string& name) { return numbers_.try_emplace(name, static_cast<int>(numbers_.size()) + 1).first->second; }
+  int number(const std::string& name) {
+    return numbers_.try_emplace(name, static_cast<int>(numbers_.size()) + 1).first->second;
+  }
   void write(fmt::ostream& out, int dimension) const {
     for (const auto& [name, number] : numbers_) out.print("{} {} \"{}\"\n", dimension, number, name);
   }
@@ -62,7 +64,8 @@ void write_mesh(const std::string& path, const SampledMesh& mesh, const PartName
   for (const SampledCell& cell : mesh.cells) cells[cell.face].push_back(&cell);
   std::map<int, std::vector<int>> curves;  // groups by edge
   for (const auto& [edge, unused] : lines)
-    for (const std::string& name : names.boundaries[edge - 1]) curves[edge].push_back(curve_groups.number(storable(name)));
+    for (const std::string& name : names.boundaries[edge - 1])
+      curves[edge].push_back(curve_groups.number(storable(name)));
   std::map<int, int> faces;
   for (const auto& [face, unused] : cells) faces[face] = face_groups.number(storable(names.regions[face - 1]));
 

@@ -23,15 +23,15 @@ struct Selection {
 };
 
 struct Job {
-  std::string part;                   ///< path of the CAD file
-  double unit = 1;                    ///< the case's unit of length [m]
-  std::optional<double> file_unit{};  ///< unit of the numbers in the file, if the case states it [m]
+  std::string part;                      ///< path of the CAD file
+  double unit = 1;                       ///< the case's unit of length [m]
+  std::optional<double> file_unit{};     ///< unit of the numbers in the file, if the case states it [m]
   std::optional<double> default_unit{};  ///< the same where the file names none
-  std::optional<double> size{};       ///< sides of the cells, in the case's unit
-  std::optional<double> tolerance{};  ///< edges nearer than this are one edge, in the case's unit
-  std::optional<double> thickness{};  ///< of the shell, if it is one number, in the case's unit
-  bool takes_skins = false;           ///< whether the faces of thin solids are the shell, and not the middle between them
-  nlohmann::json faces{};             ///< which faces are the shell; null: all
+  std::optional<double> size{};          ///< sides of the cells, in the case's unit
+  std::optional<double> tolerance{};     ///< edges nearer than this are one edge, in the case's unit
+  std::optional<double> thickness{};     ///< of the shell, if it is one number, in the case's unit
+  bool takes_skins = false;  ///< whether the faces of thin solids are the shell, and not the middle between them
+  nlohmann::json faces{};    ///< which faces are the shell; null: all
   std::vector<Selection> regions{}, boundaries{};
   std::vector<std::pair<std::string, double>> constants{};  ///< names in conditions
 

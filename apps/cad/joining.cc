@@ -78,11 +78,12 @@ JoinedPart sewn(const std::vector<LabelledFace>& faces, double tolerance) {
   for (const LabelledFace& face : faces) sewing.Add(face.face);
   sewing.Perform();
   if (sewing.SewedShape().IsNull())
-    throw PartError(fmt::format("no face is left after edges within {:.3g} mm were joined; make tolerance smaller",
-                                tolerance));
+    throw PartError(
+        fmt::format("no face is left after edges within {:.3g} mm were joined; make tolerance smaller", tolerance));
   JoinedPart part = labelled(sewing.SewedShape(), faces, [&](const TopoDS_Face& old, const auto& visit) {
-    visit(sewing.IsModified(old) ? sewing.Modified(old)
-                                 : sewing.IsModifiedSubShape(old) ? sewing.ModifiedSubShape(old) : TopoDS_Shape(old));
+    visit(sewing.IsModified(old)           ? sewing.Modified(old)
+          : sewing.IsModifiedSubShape(old) ? sewing.ModifiedSubShape(old)
+                                           : TopoDS_Shape(old));
   });
   part.joined_edges = sewing.NbContigousEdges();
   return part;
@@ -139,7 +140,8 @@ JoinedPart imprinted(const JoinedPart& part, double tolerance) {
   builder.Perform();
   if (builder.HasErrors())
     throw PartError(
-        "edges end inside of faces, and Open CASCADE cannot divide the faces there; let the faces share edges in the CAD "
+        "edges end inside of faces, and Open CASCADE cannot divide the faces there; let the faces share edges in the "
+        "CAD "
         "program (imprint)");
   return labelled(builder.Shape(), part.labelled, [&](const TopoDS_Face& old, const auto& visit) {
     const TopTools_ListOfShape& now = builder.Modified(old);

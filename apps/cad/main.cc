@@ -66,12 +66,14 @@ SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
     SampledMesh mesh = sampled(part, *best, diagonal);
     constexpr double farthest = 1e-3;
     if (mesh.error.distance > farthest * diagonal)
-      throw PartError(fmt::format("its cells are up to {:.2g} mm off its faces, which are damaged or too curved for them; {}",
-                                  mesh.error.distance, is_given ? "take a smaller size" : "set size"));
+      throw PartError(
+          fmt::format("its cells are up to {:.2g} mm off its faces, which are damaged or too curved for them; {}",
+                      mesh.error.distance, is_given ? "take a smaller size" : "set size"));
     return mesh;
   }
   if (best)
-    mistake = fmt::format("a cell folds over at ({:.6g}, {:.6g}, {:.6g}) mm", best_place[0], best_place[1], best_place[2]);
+    mistake =
+        fmt::format("a cell folds over at ({:.6g}, {:.6g}, {:.6g}) mm", best_place[0], best_place[1], best_place[2]);
   throw PartError(fmt::format("{}, also with smaller cells; {}", mistake,
                               is_given ? "take a smaller size" : "set size, or mend the part at this place"));
 }
@@ -82,21 +84,22 @@ std::vector<std::string> notes_of(const PartFile& file, const JoinedPart& part, 
   std::vector<std::string> notes;
   std::set<int> numbers;
   for (const LabelledFace& face : part.labelled) numbers.insert(face.number);
-  notes.push_back(fmt::format("{} of {} faces of the file{} are the shell, {:.10g} m^2; {} cells of degree {} with sides of "
-                              "about {:.3g} m",
-                              numbers.size(), file.faces.size(),
-                              file.unit.empty() ? "" : fmt::format(" (in {})", file.unit),
-                              area_of(part.shape) / (mm * mm), mesh.cells.size(), mesh.degree, size / mm));
+  notes.push_back(
+      fmt::format("{} of {} faces of the file{} are the shell, {:.10g} m^2; {} cells of degree {} with sides of "
+                  "about {:.3g} m",
+                  numbers.size(), file.faces.size(), file.unit.empty() ? "" : fmt::format(" (in {})", file.unit),
+                  area_of(part.shape) / (mm * mm), mesh.cells.size(), mesh.degree, size / mm));
   constexpr double large = 0.01;  // [rad]
   const bool is_rough = mesh.error.direction > large;
   notes.push_back(fmt::format("{}the cells are up to {:.1e} m off the faces, and their normals {:.1e} degrees{}",
                               is_rough ? "warning: " : "", mesh.error.distance / mm,
                               mesh.error.direction * 180 / std::numbers::pi, is_rough ? "; take a smaller size" : ""));
   if (mesh.worst_shape < fair_shape)
-    notes.push_back(fmt::format("a cell has an angle of {:.2g} degrees at ({:.6g}, {:.6g}, {:.6g}) m, where edges of a face "
-                                "nearly touch along each other",
-                                std::asin(std::max(0.0, mesh.worst_shape)) * 180 / std::numbers::pi, mesh.worst_place[0] / mm,
-                                mesh.worst_place[1] / mm, mesh.worst_place[2] / mm));
+    notes.push_back(
+        fmt::format("a cell has an angle of {:.2g} degrees at ({:.6g}, {:.6g}, {:.6g}) m, where edges of a face "
+                    "nearly touch along each other",
+                    std::asin(std::max(0.0, mesh.worst_shape)) * 180 / std::numbers::pi, mesh.worst_place[0] / mm,
+                    mesh.worst_place[1] / mm, mesh.worst_place[2] / mm));
   if (part.joined_edges > 0)
     notes.push_back(fmt::format("{} edges of two faces were made one (tolerance {:.2g} m)", part.joined_edges,
                                 part.tolerance / mm));
@@ -109,7 +112,8 @@ void mesh_part(const Job& job, const std::string& path) {
   const PartFile file = read_part(job);
   PartFile chosen = file;
   chosen.faces = chosen_faces(file, job);
-  const std::vector<ThinSide> sides = job.faces.is_null() && !job.takes_skins ? thin_sides(file) : std::vector<ThinSide>{};
+  const std::vector<ThinSide> sides =
+      job.faces.is_null() && !job.takes_skins ? thin_sides(file) : std::vector<ThinSide>{};
   std::map<int, double> thickness;  // by number of the face
   if (!sides.empty()) chosen.faces.clear();
   for (const ThinSide& side : sides)
@@ -117,8 +121,7 @@ void mesh_part(const Job& job, const std::string& path) {
       chosen.faces.push_back(face);
       thickness[face.number] = side.thickness;
     }
-  const JoinedPart part =
-      joined(chosen, job.tolerance ? std::optional(*job.tolerance * job.mm()) : std::nullopt);
+  const JoinedPart part = joined(chosen, job.tolerance ? std::optional(*job.tolerance * job.mm()) : std::nullopt);
   const PartNames names = names_of(part, job);
   const double size = job.size ? *job.size * job.mm() : default_size(area_of(part.shape));
   SampledMesh mesh = meshed(part, size, job.size.has_value());
@@ -129,10 +132,12 @@ void mesh_part(const Job& job, const std::string& path) {
     move_to_middle(mesh, of_faces);
     for (const ThinSide& side : sides)
       if (const double e = side.thickness / job.mm(); job.thickness && std::abs(*job.thickness - e) > 0.01 * e)
-        notes.push_back(fmt::format("warning: the solid is {:.6g} m thick, and [shell] has the thickness {:.6g} m", e, *job.thickness));
+        notes.push_back(fmt::format("warning: the solid is {:.6g} m thick, and [shell] has the thickness {:.6g} m", e,
+                                    *job.thickness));
     for (const ThinSide& side : sides)
-      notes.push_back(fmt::format("the mid-surface of a solid of {:.6g} m thickness is made from the {} faces of one side",
-                                  side.thickness / job.mm(), side.faces.size()));
+      notes.push_back(
+          fmt::format("the mid-surface of a solid of {:.6g} m thickness is made from the {} faces of one side",
+                      side.thickness / job.mm(), side.faces.size()));
   }
   write_mesh(path, mesh, names, job.mm(), notes);
 }
@@ -159,7 +164,8 @@ int run(const std::string& part, const std::string& mesh, const std::string& job
   } catch (const PartError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const Standard_Failure& failure) {
-    fmt::print(stderr, "Open CASCADE fails at it ({}): the part is damaged; export it again\n", failure.DynamicType()->Name());
+    fmt::print(stderr, "Open CASCADE fails at it ({}): the part is damaged; export it again\n",
+               failure.DynamicType()->Name());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "it needs more than 4 GB of memory to be meshed; take a larger size\n");
   } catch (const std::exception& error) {

@@ -95,10 +95,13 @@ class Solid {
       if (is_skin_[i])
         for (const int other : opposite_[i].faces)
           if (is_skin_[other]) partners[component_[i]].insert(component_[other]);
-    if (partners.size() != 2 || std::ranges::any_of(partners, [](const auto& p) { return p.second.size() != 1 || p.second.contains(p.first); }))
+    if (partners.size() != 2 ||
+        std::ranges::any_of(partners, [](const auto& p) { return p.second.size() != 1 || p.second.contains(p.first); }))
       throw PartError(
-          "a solid is thin in places, but it is no sheet with two sides: it branches, or is thick elsewhere; choose the "
-          "faces of the shell: faces = [...] with offset = 0.5, export the mid-surface from the CAD program, or take the skin: "
+          "a solid is thin in places, but it is no sheet with two sides: it branches, or is thick elsewhere; choose "
+          "the "
+          "faces of the shell: faces = [...] with offset = 0.5, export the mid-surface from the CAD program, or take "
+          "the skin: "
           "solids = \"faces\"");
     check_rims();
     std::map<int, double> areas;
@@ -111,9 +114,10 @@ class Solid {
       const double e = opposite_[i].distance;
       if (side.faces.empty()) side.thickness = e;
       if (std::abs(e - side.thickness) > same * side.thickness)
-        throw PartError(fmt::format("face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one "
-                                    "thickness: choose the faces by hand",
-                                    faces_[i].number, e, side.thickness));
+        throw PartError(
+            fmt::format("face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one "
+                        "thickness: choose the faces by hand",
+                        faces_[i].number, e, side.thickness));
       side.faces.push_back(faces_[i]);
     }
     return side;
@@ -127,13 +131,16 @@ class Solid {
     const auto places = places_on(face);
     for (const PointOnFace& place : places) {
       constexpr double nearest = 1e-6, farthest = 1e9, antiparallel = -0.999;
-      intersector_.PerformNearest(gp_Lin(point_of(place.position), gp_Dir(-place.outward[0], -place.outward[1], -place.outward[2])),
-                                  nearest, farthest);
+      intersector_.PerformNearest(
+          gp_Lin(point_of(place.position), gp_Dir(-place.outward[0], -place.outward[1], -place.outward[2])), nearest,
+          farthest);
       if (!intersector_.IsDone() || intersector_.NbPnt() == 0) continue;
       const TopoDS_Face& hit = intersector_.Face(1);
       const double distance = intersector_.WParameter(1);
-      if (outward_at(hit, intersector_.UParameter(1), intersector_.VParameter(1)).dot(place.outward) > antiparallel) continue;
-      if (const auto found = index_.find(map_.FindIndex(hit)); found != index_.end()) hits.emplace_back(distance, found->second);
+      if (outward_at(hit, intersector_.UParameter(1), intersector_.VParameter(1)).dot(place.outward) > antiparallel)
+        continue;
+      if (const auto found = index_.find(map_.FindIndex(hit)); found != index_.end())
+        hits.emplace_back(distance, found->second);
     }
     Opposite result;
     // The distance of most places: there may be a rib behind the others.
@@ -204,15 +211,17 @@ class Solid {
       constexpr double allowed = 1.5;
       if (area_of(faces_[i].face) > allowed * thickness * perimeter_of(faces_[i].face) / 2)
         wide.push_back(opposite_[i].distance > 0
-                           ? fmt::format("face {} (the next face behind it is {:.4g} mm away)", faces_[i].number, opposite_[i].distance)
+                           ? fmt::format("face {} (the next face behind it is {:.4g} mm away)", faces_[i].number,
+                                         opposite_[i].distance)
                            : fmt::format("face {} (no parallel face is behind it)", faces_[i].number));
     }
     constexpr std::size_t most = 5;
     if (wide.size() > most) wide.resize(most), wide.emplace_back("...");
     if (!wide.empty())
-      throw PartError(fmt::format("a solid is {:.4g} mm thick in most places, but these faces have no opposite one: {}; "
-                                  "choose the faces of the shell by hand: faces = [...] with offset = 0.5",
-                                  thickness, fmt::join(wide, ", ")));
+      throw PartError(
+          fmt::format("a solid is {:.4g} mm thick in most places, but these faces have no opposite one: {}; "
+                      "choose the faces of the shell by hand: faces = [...] with offset = 0.5",
+                      thickness, fmt::join(wide, ", ")));
   }
 
   std::vector<LabelledFace> faces_;

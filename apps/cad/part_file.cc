@@ -114,9 +114,9 @@ std::optional<double> unit_of_file(STEPControl_Reader& reader, std::string& name
   if (lengths.IsEmpty()) return {};
   name = lengths.First().ToCString();
   const std::map<std::string, std::pair<const char*, double>> known{
-      {"millimetre", {"mm", 1}},    {"metre", {"m", 1e3}},         {"centimetre", {"cm", 10}},
-      {"micrometre", {"um", 1e-3}}, {"kilometre", {"km", 1e6}},    {"INCH", {"in", 25.4}},
-      {"inch", {"in", 25.4}},       {"FOOT", {"ft", 304.8}},       {"foot", {"ft", 304.8}},
+      {"millimetre", {"mm", 1}},    {"metre", {"m", 1e3}},          {"centimetre", {"cm", 10}},
+      {"micrometre", {"um", 1e-3}}, {"kilometre", {"km", 1e6}},     {"INCH", {"in", 25.4}},
+      {"inch", {"in", 25.4}},       {"FOOT", {"ft", 304.8}},        {"foot", {"ft", 304.8}},
       {"MIL", {"mil", 0.0254}},     {"MICROINCH", {"uin", 2.54e-5}}};
   const auto found = known.find(name);
   if (found == known.end()) return {};
@@ -130,8 +130,9 @@ void refuse_what_is_no_step(const std::string& path) {
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
   if (start.find("ISO-10303-21") == std::string::npos)
-    throw PartError("it is no STEP file: it does not begin with ISO-10303-21; export the part as STEP (AP203, AP214 or "
-                    "AP242)");
+    throw PartError(
+        "it is no STEP file: it does not begin with ISO-10303-21; export the part as STEP (AP203, AP214 or "
+        "AP242)");
 }
 
 PartFile read_step(const Job& job) {
@@ -143,10 +144,10 @@ PartFile read_step(const Job& job) {
   const auto file_unit = unit_of_file(reader, part.unit);
   const double stated = job.file_unit ? *job.file_unit : file_unit ? 0 : job.default_unit.value_or(0);
   if (!file_unit && stated == 0)
-    throw PartError(part.unit.empty()
-                        ? "the file does not say in which unit its lengths are; state it: unit = \"mm\""
-                        : fmt::format("the unit of its lengths, \"{}\", is not known; state it: unit = \"mm\"",
-                                      part.unit));
+    throw PartError(
+        part.unit.empty()
+            ? "the file does not say in which unit its lengths are; state it: unit = \"mm\""
+            : fmt::format("the unit of its lengths, \"{}\", is not known; state it: unit = \"mm\"", part.unit));
   reader.TransferRoots();
   const TopoDS_Shape shape = reader.OneShape();
   if (shape.IsNull()) throw PartError("it has no shape that Open CASCADE can make of it; export the part again");
@@ -165,8 +166,7 @@ PartFile read_brep(const Job& job) {
   if (!BRepTools::Read(shape, job.part.c_str(), BRep_Builder()) || shape.IsNull())
     throw PartError("Open CASCADE cannot read it: it is no BREP file, or it is damaged");
   const double stated = job.file_unit.value_or(job.default_unit.value_or(0));
-  if (stated == 0)
-    throw PartError("a BREP file does not say in which unit its lengths are; state it: unit = \"mm\"");
+  if (stated == 0) throw PartError("a BREP file does not say in which unit its lengths are; state it: unit = \"mm\"");
   PartFile part;
   add_faces(shape, {}, part);
   if (stated != 1e-3) scale_by(stated * 1e3, shape, part);

@@ -39,7 +39,8 @@ class GmshSession {
     std::vector<std::string> log;
     gmsh::logger::get(log);
     for (const std::string& entry : log)
-      if (entry.starts_with(mark)) throw PartError(fmt::format("Gmsh cannot mesh its faces: {}", entry.substr(mark.size())));
+      if (entry.starts_with(mark))
+        throw PartError(fmt::format("Gmsh cannot mesh its faces: {}", entry.substr(mark.size())));
   }
 };
 
@@ -188,7 +189,8 @@ class QuadMaker {
     if (first == edge_at_.end() || second == edge_at_.end()) return false;
     constexpr double straight = -0.9;  // 154 degrees
     const auto& p = mesh_.points;
-    return curves_.at(first->second).direction(p[b], p[a]).dot(curves_.at(second->second).direction(p[b], p[c])) < straight;
+    return curves_.at(first->second).direction(p[b], p[a]).dot(curves_.at(second->second).direction(p[b], p[c])) <
+           straight;
   }
 
   /// Gives triangles whose corner is such a place a neighbour there: their third side is divided.
@@ -291,16 +293,19 @@ Quads quads_of(const JoinedPart& part, double size, const std::vector<SmallPlace
     GmshSession::check();
     // Each side is divided later, so that a circle then has twelve sides or more.
     gmsh::option::setNumber("Mesh.MinimumCircleNodes", 6);
-    gmsh::option::setNumber("Mesh.MeshSizeMax", side * size);
+    // Without a factor Gmsh takes no sides longer than a tenth of the diagonal.
+    const double factor = std::max(1.0, 10 * side * size / diagonal_of(part.shape));
+    gmsh::option::setNumber("Mesh.MeshSizeMax", side * size / factor);
+    gmsh::option::setNumber("Mesh.MeshSizeFactor", factor);
     if (!small.empty())
-      gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double z) {
+      gmsh::model::mesh::setSizeCallback([&, factor](int, int, double x, double y, double z) {
         constexpr double growth = 0.5;
         double least = size;
         for (const SmallPlace& place : small) {
           const double away = std::max(0.0, (place.centre - Vector3d(x, y, z)).norm() - 2 * place.size);
           least = std::min(least, place.size + growth * away);
         }
-        return side * least;
+        return side * least / factor;
       });
     gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
     gmsh::model::mesh::generate(2);

@@ -36,7 +36,8 @@ struct FacePoint {
 class FaceSurface {
  public:
   explicit FaceSurface(const TopoDS_Face& face)
-      : surface_(untrimmed(BRep_Tool::Surface(face))), analysis_(new ShapeAnalysis_Surface(surface_)),
+      : surface_(untrimmed(BRep_Tool::Surface(face))),
+        analysis_(new ShapeAnalysis_Surface(surface_)),
         sign_(face.Orientation() == TopAbs_REVERSED ? -1 : 1) {
     const GeomAdaptor_Surface adaptor(surface_);
     is_elementary_ = adaptor.GetType() <= GeomAbs_Torus;
@@ -84,8 +85,8 @@ class FaceSurface {
   bool is_within(const Vector2d& uv) const {
     constexpr double rounding = 1e-7;
     for (const int k : {0, 1})
-      if (periods_[k] == 0 && (uv[k] < low_[k] - rounding * (high_[k] - low_[k]) ||
-                               uv[k] > high_[k] + rounding * (high_[k] - low_[k])))
+      if (periods_[k] == 0 &&
+          (uv[k] < low_[k] - rounding * (high_[k] - low_[k]) || uv[k] > high_[k] + rounding * (high_[k] - low_[k])))
         return false;
     return true;
   }
@@ -108,14 +109,16 @@ class FaceSurface {
       const Vector3d r = vector_of(p) - at, a = vector_of(du), b = vector_of(dv);
       const Vector2d gradient(r.dot(a), r.dot(b));
       const double scale = std::max(at.norm(), 1.0);
-      foot.is_found = std::abs(gradient[0]) <= 1e-9 * scale * a.norm() && std::abs(gradient[1]) <= 1e-9 * scale * b.norm();
+      foot.is_found =
+          std::abs(gradient[0]) <= 1e-9 * scale * a.norm() && std::abs(gradient[1]) <= 1e-9 * scale * b.norm();
       if (foot.is_found) foot.parameters = uv;
       Eigen::Matrix2d h;
       const double mixed = a.dot(b) + r.dot(vector_of(duv));
       h << a.dot(a) + r.dot(vector_of(duu)), mixed, mixed, b.dot(b) + r.dot(vector_of(dvv));
       const double singular = 1e-12 * a.squaredNorm() * b.squaredNorm();
       if (step == 0) first_distance = r.norm();
-      const bool is_nearest = h(0, 0) > 0 && h.determinant() > singular && r.norm() <= first_distance * (1 + 1e-9) + 1e-12 * scale;
+      const bool is_nearest =
+          h(0, 0) > 0 && h.determinant() > singular && r.norm() <= first_distance * (1 + 1e-9) + 1e-12 * scale;
       foot.is_found = foot.is_found && is_nearest;
       if (!(h.determinant() > singular)) break;
       const Vector2d change = -h.inverse() * gradient;
@@ -227,7 +230,8 @@ class Sampler {
   };
   Guess guess_in(const std::array<int, 4>& corners, int face) {
     Guess guess{{parameters(face, corners[0])}};
-    for (int k = 1; k < 4; ++k) guess.corners[k] = surface(face).continued(parameters(face, corners[k]), guess.corners[0]);
+    for (int k = 1; k < 4; ++k)
+      guess.corners[k] = surface(face).continued(parameters(face, corners[k]), guess.corners[0]);
     return guess;
   }
 
@@ -273,7 +277,8 @@ class Sampler {
   void add_cell(const Quads::Cell& cell, SampledMesh& mesh) {
     const int q = mesh.degree, row = q + 1;
     const std::array<int, 4> corners = ordered(cell);
-    SampledCell sampled{.nodes = std::vector<int>(static_cast<std::size_t>(row * row), -1), .normals = {}, .face = cell.face};
+    SampledCell sampled{
+        .nodes = std::vector<int>(static_cast<std::size_t>(row * row), -1), .normals = {}, .face = cell.face};
     const auto left = side_nodes(corners[0], corners[2], cell.face, mesh);
     const auto right = side_nodes(corners[1], corners[3], cell.face, mesh);
     const auto bottom = side_nodes(corners[0], corners[1], cell.face, mesh);
@@ -298,8 +303,8 @@ class Sampler {
     const Vector3d middle = (at(corners[0]) + at(corners[1]) + at(corners[2]) + at(corners[3])) / 4;
     for (int j = 0; j <= q; ++j)
       for (int i = 0; i <= q; ++i)
-        sampled.normals.push_back(surface(cell.face).normal(at(sampled.nodes[j * row + i]),
-                                                            guess(static_cast<double>(i) / q, static_cast<double>(j) / q), middle));
+        sampled.normals.push_back(surface(cell.face).normal(
+            at(sampled.nodes[j * row + i]), guess(static_cast<double>(i) / q, static_cast<double>(j) / q), middle));
     measure_cell(sampled, guess, mesh);
     mesh.cells.push_back(std::move(sampled));
   }
@@ -379,10 +384,10 @@ class Sampler {
 
   const Quads& quads_;
   std::vector<FaceSurface> surfaces_{};
-  std::map<int, EdgeCurve> curves_{};                         // by edge
+  std::map<int, EdgeCurve> curves_{};                          // by edge
   std::map<std::pair<int, int>, const Quads::Line*> lines_{};  // by ends, ascending
   std::vector<Vector3d> corners_{};
-  std::map<std::pair<int, int>, Vector2d> parameters_{};      // by face and corner
+  std::map<std::pair<int, int>, Vector2d> parameters_{};     // by face and corner
   std::map<std::pair<int, int>, std::vector<int>> sides_{};  // inner nodes from the lower end to the higher one
 };
 

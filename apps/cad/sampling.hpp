@@ -8,9 +8,9 @@
 namespace plastron::cad {
 
 struct SampledCell {
-  std::vector<int> nodes;        ///< on the lattice, xi_1 fastest
-  std::vector<Vector3d> normals; ///< unit normals of the face there; they point to the side of a_1 x a_2
-  int face;                      ///< number in JoinedPart::faces
+  std::vector<int> nodes;         ///< on the lattice, xi_1 fastest
+  std::vector<Vector3d> normals;  ///< unit normals of the face there; they point to the side of a_1 x a_2
+  int face;                       ///< number in JoinedPart::faces
 };
 
 struct SampledLine {
@@ -30,7 +30,7 @@ struct SampledMesh {
   std::vector<SampledCell> cells;
   std::vector<SampledLine> lines;
   SamplingError error{};
-  double worst_shape = 1;             ///< least sine of the angle between a_1 and a_2; negative: a cell folds over
+  double worst_shape = 1;  ///< least sine of the angle between a_1 and a_2; negative: a cell folds over
   Vector3d worst_place = Vector3d::Zero();
   struct BadCell {
     double shape;

@@ -4,8 +4,8 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -35,7 +35,8 @@ std::vector<gp_Pnt> points_of_edge(const TopoDS_Edge& edge) {
   if (BRep_Tool::Degenerated(edge)) return points;
   const BRepAdaptor_Curve curve(edge);
   for (int k = 0; k <= intervals; ++k)
-    points.push_back(curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * k / intervals));
+    points.push_back(
+        curve.Value(curve.FirstParameter() + (curve.LastParameter() - curve.FirstParameter()) * k / intervals));
   return points;
 }
 
@@ -67,7 +68,9 @@ class Where {
   geometry::Expression expression_{};
 };
 
-gp_Pnt point_in(const json& at, double mm) { return {at[0].get<double>() * mm, at[1].get<double>() * mm, at[2].get<double>() * mm}; }
+gp_Pnt point_in(const json& at, double mm) {
+  return {at[0].get<double>() * mm, at[1].get<double>() * mm, at[2].get<double>() * mm};
+}
 
 double distance_to(const gp_Pnt& point, const TopoDS_Shape& shape) {
   const BRepExtrema_DistShapeShape measured(BRepBuilderAPI_MakeVertex(point).Vertex(), shape);
@@ -189,7 +192,9 @@ std::vector<bool> select_edges(const json& selector, const JoinedPart& part, con
     for (const std::string& text : texts) {
       bool is_known = false;
       for (int i = 1; i <= part.edges.Extent(); ++i) is_known = is_known || name(i) == text;
-      if (!is_known) throw PartError(fmt::format("it has no edge \"{}\"; it has \"edge 1\" to \"edge {}\"", text, part.edges.Extent()));
+      if (!is_known)
+        throw PartError(
+            fmt::format("it has no edge \"{}\"; it has \"edge 1\" to \"edge {}\"", text, part.edges.Extent()));
     }
     keep([&](int i) { return std::ranges::find(texts, name(i)) != texts.end(); });
   };
@@ -228,8 +233,8 @@ std::vector<LabelledFace> chosen_faces(const PartFile& part, const Job& job) {
   for (std::size_t i = 0; i < found.size(); ++i)
     if (found[i]) chosen.push_back(part.faces[i]);
   if (chosen.empty())
-    throw PartError(fmt::format("faces = {} finds none of its {} faces; it has: {}", job.faces.dump(), part.faces.size(),
-                                known_faces(part.faces)));
+    throw PartError(fmt::format("faces = {} finds none of its {} faces; it has: {}", job.faces.dump(),
+                                part.faces.size(), known_faces(part.faces)));
   return chosen;
 }
 
@@ -241,7 +246,8 @@ PartNames names_of(const JoinedPart& part, const Job& job) {
   for (const Selection& region : job.regions) {
     const auto found = select_faces(region.selector, part.labelled, job);
     if (std::ranges::none_of(found, [](bool is_found) { return is_found; }))
-      throw PartError(fmt::format("the region \"{}\" finds no face; it has: {}", region.name, known_faces(part.labelled)));
+      throw PartError(
+          fmt::format("the region \"{}\" finds no face; it has: {}", region.name, known_faces(part.labelled)));
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (!found[i]) continue;
       if (!taken[i].empty() && taken[i] != region.name)

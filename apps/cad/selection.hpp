@@ -12,8 +12,8 @@ namespace plastron::cad {
 std::vector<LabelledFace> chosen_faces(const PartFile& part, const Job& job);
 
 struct PartNames {
-  std::vector<std::string> regions;                 ///< of each face
-  std::vector<std::vector<std::string>> boundaries; ///< of each edge: "edge N", then names of the case
+  std::vector<std::string> regions;                  ///< of each face
+  std::vector<std::vector<std::string>> boundaries;  ///< of each edge: "edge N", then names of the case
 };
 
 /// Throws PartError for a selection that finds nothing and for a face in two regions.

@@ -188,11 +188,16 @@ CLI::App* add_study(CLI::App& program, StudyCommand& command) {
 CLI::App* add_parts(CLI::App& program, PartsOptions& options) {
   CLI::App* parts = program.add_subcommand(
       "parts", "List the regions, curves and folds of a mesh in space, and what is doubtful in it");
-  parts->add_option("MESH", options.file, "CAD file (.step, .brep), mesh in space (.msh, .inp) or facets (.stl, .obj, .ply)")->required();
+  parts
+      ->add_option("MESH", options.file,
+                   "CAD file (.step, .brep), mesh in space (.msh, .inp) or facets (.stl, .obj, .ply)")
+      ->required();
   parts->add_option("--scale", options.scale, "Factor of its lengths: 1e-3 for millimetres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  parts->add_option("--size", options.size, "Sides of the cells that are made on CAD faces or from facets, in scaled lengths")
+  parts
+      ->add_option("--size", options.size,
+                   "Sides of the cells that are made on CAD faces or from facets, in scaled lengths")
       ->check(CLI::PositiveNumber);
   parts->add_option("--smooth", options.smooth, "Largest angle of smooth edges in degrees")
       ->check(CLI::Range(0.0, 170.0));

@@ -13,16 +13,16 @@
 namespace plastron::cli {
 namespace {
 
-using part_files::write_step;
 using nlohmann::json;
+using part_files::write_step;
 using std::numbers::pi;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
 std::string case_of(const std::string& geometry, const std::string& rest, double thickness = 2) {
-  return "[units]\nlength = \"mm\"\nforce = \"N\"\n[shell]\nE = 210000\nnu = 0.3\nthickness = " + std::to_string(thickness) +
-         "\n[geometry]\n" + geometry + rest;
+  return "[units]\nlength = \"mm\"\nforce = \"N\"\n[shell]\nE = 210000\nnu = 0.3\nthickness = " +
+         std::to_string(thickness) + "\n[geometry]\n" + geometry + rest;
 }
 
 json results_of(const Scratch& scratch, const std::string& text, double patience = 120) {
@@ -40,7 +40,8 @@ TEST(CadFile, ASphereIsTheExactOne) {
   const std::string supports =
       "[[support]]\npoint = [0, 0, 10]\nfix = [\"u.x\", \"u.y\"]\n[[support]]\npoint = [0, 0, -10]\nfix = [\"u\"]\n"
       "[[support]]\npoint = [10, 0, 0]\nfix = [\"u.y\"]\n";
-  const json results = results_of(scratch, case_of("file = \"sphere.step\"\n", supports + "[[load]]\npressure = -100\n", e));
+  const json results =
+      results_of(scratch, case_of("file = \"sphere.step\"\n", supports + "[[load]]\npressure = -100\n", e));
   const double u = p * R * R * (1 - nu) / (2 * E * e * (1 + e * e / (12 * R * R)));
   const double energy = 0.5 * p * 4 * pi * R * R * u;
   EXPECT_NEAR(results["energy"].get<double>(), energy, 1e-7 * energy);
@@ -51,7 +52,8 @@ TEST(CadFile, LengthsAreThoseOfTheCase) {
   const Scratch scratch;
   write_step(scratch.path / "plate.step", [] { gmsh::model::occ::addRectangle(0, 0, 0, 100, 60); });
   const auto area = [&](const std::string& units, const std::string& more) {
-    scratch.write("part.toml", units + "[shell]\nE = 1e9\nnu = 0.3\nthickness = 0.01\n[geometry]\nfile = \"plate.step\"\n" + more);
+    scratch.write("part.toml",
+                  units + "[shell]\nE = 1e9\nnu = 0.3\nthickness = 0.01\n[geometry]\nfile = \"plate.step\"\n" + more);
     return plastron({"check", "part.toml"}, scratch.path).output;
   };
   EXPECT_THAT(area("[units]\nlength = \"mm\"\n", ""), HasSubstr("mid-surface area 6000 mm^2"));
@@ -75,7 +77,8 @@ TEST(CadFile, AnEdgeInsideAFaceIsATJoint) {
   const double sum = results["supports"][0]["reaction"]["force"][1];
   EXPECT_NEAR(sum, -30, 1e-8);
   const Outcome parts = plastron({"parts", "rib.step"}, scratch.path);
-  EXPECT_THAT(parts.output, AllOf(HasSubstr("branches of three cells"), HasSubstr("face 1"), HasSubstr("face 2"), HasSubstr("edge 1")));
+  EXPECT_THAT(parts.output, AllOf(HasSubstr("branches of three cells"), HasSubstr("face 1"), HasSubstr("face 2"),
+                                  HasSubstr("edge 1")));
 }
 
 /// The mid-surface of bent sheets of random sizes: its area, and the deflection under a load at the end of a leg.
@@ -83,13 +86,15 @@ TEST(CadFile, AThinSolidIsItsMidSurface) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> part(0, 1);
   for (int trial = 0; trial < 3; ++trial) {
-    const double e = 0.5 + 2 * part(random), r = (0.6 + 2 * part(random)) * e, a = 30 + 30 * part(random), b = 10 + 20 * part(random);
+    const double e = 0.5 + 2 * part(random), r = (0.6 + 2 * part(random)) * e, a = 30 + 30 * part(random),
+                 b = 10 + 20 * part(random);
     const Scratch scratch;
     write_step(scratch.path / "sheet.step", [&] { part_files::draw_bent_sheet(a, b, e, r); });
-    const std::string rest =
-        "[[boundary]]\nname = \"foot\"\nedges = { at = [0, " + std::to_string(b / 2) + ", 0] }\n[[boundary]]\nname = \"tip\"\nedges = { at = [" +
-        std::to_string(a) + ", " + std::to_string(b / 2) + ", " + std::to_string(a) + "] }\n[[support]]\nboundary = \"foot\"\nfix = [\"u\", \"r\"]\n"
-        "[[load]]\nboundary = \"tip\"\ntotal = [1, 0, 0]\n";
+    const std::string rest = "[[boundary]]\nname = \"foot\"\nedges = { at = [0, " + std::to_string(b / 2) +
+                             ", 0] }\n[[boundary]]\nname = \"tip\"\nedges = { at = [" + std::to_string(a) + ", " +
+                             std::to_string(b / 2) + ", " + std::to_string(a) +
+                             "] }\n[[support]]\nboundary = \"foot\"\nfix = [\"u\", \"r\"]\n"
+                             "[[load]]\nboundary = \"tip\"\ntotal = [1, 0, 0]\n";
     const json results = results_of(scratch, case_of("file = \"sheet.step\"\n", rest, e));
     const double straight = a - r - e, radius = r + e / 2, area = b * (2 * straight + pi / 2 * radius);
     const Outcome check = plastron({"check", "part.toml"}, scratch.path);
@@ -129,9 +134,11 @@ TEST(CadFile, TheMeshOfARunIsKept) {
     gmsh::model::occ::remove({{2, 2}, {2, 3}});
   });
   const auto rest = [](const std::string& foot) {
-    return "[[support]]\nboundary = \"" + foot + "\"\nfix = [\"u\", \"r\"]\n[[load]]\nregion = \"face 1\"\nforce = [0, 0.01, 0]\n";
+    return "[[support]]\nboundary = \"" + foot +
+           "\"\nfix = [\"u\", \"r\"]\n[[load]]\nregion = \"face 1\"\nforce = [0, 0.01, 0]\n";
   };
-  const std::string named = "[[boundary]]\nname = \"foot\"\nedges = { where = \"Z < 1e-6\", free = true }\n" + rest("foot");
+  const std::string named =
+      "[[boundary]]\nname = \"foot\"\nedges = { where = \"Z < 1e-6\", free = true }\n" + rest("foot");
   const double energy = results_of(scratch, case_of("file = \"tube.step\"\n", named, 0.5))["energy"];
   EXPECT_THAT(plastron({"verify", "out"}, scratch.path).output, HasSubstr("PASSED"));
   fs::copy_file(scratch.path / "out" / "solution.msh", scratch.path / "kept.msh");
@@ -148,15 +155,17 @@ TEST(CadFile, WrongChoicesAreTold) {
     EXPECT_EQ(outcome.exit_code, 2);
     return outcome.output;
   };
-  EXPECT_THAT(check("faces = \"face 7\"\n"), AllOf(HasSubstr("no face \"face 7\""), HasSubstr("\"face 1\", \"face 2\"")));
+  EXPECT_THAT(check("faces = \"face 7\"\n"),
+              AllOf(HasSubstr("no face \"face 7\""), HasSubstr("\"face 1\", \"face 2\"")));
   EXPECT_THAT(check("faces = { where = \"Z > 100\" }\n"), HasSubstr("finds none of its 2 faces"));
   EXPECT_THAT(check("faces = { where = \"Q > 100\" }\n"), HasSubstr("unknown name \"Q\""));
   EXPECT_THAT(check("faces = { colour = \"red\" }\n"), HasSubstr("\"#ff0000\""));
   EXPECT_THAT(check("faces = {}\n"), HasSubstr("faces has no condition"));
   EXPECT_THAT(check("", "[[boundary]]\nname = \"rim\"\nedges = { where = \"Z > 100\" }\n"),
               HasSubstr("the boundary \"rim\" finds none of its"));
-  EXPECT_THAT(check("", "[[region]]\nname = \"a\"\nfaces = \"face 1\"\n[[region]]\nname = \"b\"\nfaces = { at = [0, 0, 0] }\n"),
-              HasSubstr("the regions \"a\" and \"b\" both have face 1"));
+  EXPECT_THAT(
+      check("", "[[region]]\nname = \"a\"\nfaces = \"face 1\"\n[[region]]\nname = \"b\"\nfaces = { at = [0, 0, 0] }\n"),
+      HasSubstr("the regions \"a\" and \"b\" both have face 1"));
   scratch.write("part.toml", case_of("domain = { rectangle = { to = [1, 1] } }\nchart = [\"x\", \"y\", \"0\"]\n",
                                      "[[boundary]]\nname = \"rim\"\nedges = \"edge 1\"\n"));
   EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("[geometry] has none"));

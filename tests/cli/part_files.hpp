@@ -38,11 +38,12 @@ inline void draw_rib() {
 inline void draw_bent_sheet(double a, double b, double e, double r) {
   namespace occ = gmsh::model::occ;
   const double h = a - r - e;
-  const int p[] = {occ::addPoint(0, 0, 0), occ::addPoint(h, 0, 0),         occ::addPoint(h + r + e, 0, r + e),
+  const int p[] = {occ::addPoint(0, 0, 0),         occ::addPoint(h, 0, 0),     occ::addPoint(h + r + e, 0, r + e),
                    occ::addPoint(h + r + e, 0, a), occ::addPoint(h + r, 0, a), occ::addPoint(h + r, 0, r + e),
-                   occ::addPoint(h, 0, e), occ::addPoint(0, 0, e),         occ::addPoint(h, 0, r + e)};
-  const std::vector<int> curves{occ::addLine(p[0], p[1]), occ::addCircleArc(p[1], p[8], p[2]), occ::addLine(p[2], p[3]),
-                                occ::addLine(p[3], p[4]), occ::addLine(p[4], p[5]), occ::addCircleArc(p[5], p[8], p[6]),
+                   occ::addPoint(h, 0, e),         occ::addPoint(0, 0, e),     occ::addPoint(h, 0, r + e)};
+  const std::vector<int> curves{occ::addLine(p[0], p[1]), occ::addCircleArc(p[1], p[8], p[2]),
+                                occ::addLine(p[2], p[3]), occ::addLine(p[3], p[4]),
+                                occ::addLine(p[4], p[5]), occ::addCircleArc(p[5], p[8], p[6]),
                                 occ::addLine(p[6], p[7]), occ::addLine(p[7], p[0])};
   gmsh::vectorpair made;
   occ::extrude({{2, occ::addPlaneSurface({occ::addCurveLoop(curves)})}}, 0, b, 0, made);

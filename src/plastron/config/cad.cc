@@ -50,7 +50,8 @@ void read_colour(Table& table, json& selector) {
   std::ranges::transform(*colour, colour->begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
   if (colour->size() != 7 || colour->front() != '#' || !std::all_of(colour->begin() + 1, colour->end(), is_digit))
-    return table.report("colour", fmt::format("\"{}\" is no colour", *colour), "red, green and blue in hexadecimal digits: \"#ff0000\"",
+    return table.report("colour", fmt::format("\"{}\" is no colour", *colour),
+                        "red, green and blue in hexadecimal digits: \"#ff0000\"",
                         "`plastron parts` lists the colours of the file");
   selector["colour"] = *colour;
 }
@@ -96,15 +97,18 @@ std::vector<Section> cad_sections() {
                                key("of", Kind::name_or_names, {}, "the same with one region or face: its edges"),
                                key("free", Kind::boolean, {}, "true: edges of a single face; false: of several")})
     of_edges.push_back(std::move(more));
-  return {selector_section("geometry.faces", "faces", "Faces of a CAD file on which all the conditions hold."),
-          selector_section("region.faces", "faces", "Faces of a CAD file on which all the conditions hold."),
-          {"boundary",
-           "[[boundary]]",
-           "A name for edges of a CAD file. Without it, edges are \"edge 1\", \"edge 2\", ...: `plastron parts` lists them.",
-           {key("name", Kind::name, {.required = true, .example = "\"rim\""}, "the name, for supports, loads and others"),
-            key("edges", Kind::table, {.required = true, .example = "{ where = \"Z > 10\" }", .shorthand = Kind::name_or_names},
-                "the edges; also written as a name or a list of names")}},
-          {"boundary.edges", "edges", "Edges of a CAD file on which all the conditions hold.", std::move(of_edges)}};
+  return {
+      selector_section("geometry.faces", "faces", "Faces of a CAD file on which all the conditions hold."),
+      selector_section("region.faces", "faces", "Faces of a CAD file on which all the conditions hold."),
+      {"boundary",
+       "[[boundary]]",
+       "A name for edges of a CAD file. Without it, edges are \"edge 1\", \"edge 2\", ...: `plastron parts` lists "
+       "them.",
+       {key("name", Kind::name, {.required = true, .example = "\"rim\""}, "the name, for supports, loads and others"),
+        key("edges", Kind::table,
+            {.required = true, .example = "{ where = \"Z > 10\" }", .shorthand = Kind::name_or_names},
+            "the edges; also written as a name or a list of names")}},
+      {"boundary.edges", "edges", "Edges of a CAD file on which all the conditions hold.", std::move(of_edges)}};
 }
 
 void read_chosen_faces(Table& geometry) {
@@ -140,9 +144,10 @@ void complete_part(Table& root, problem::Problem& problem) {
   const problem::UnitNames& units = problem.output.units;
   const auto length = units.in_SI(0, 1);
   if (!length) {
-    root.report_key("units",
-                    fmt::format("the lengths of the part cannot be converted to \"{}\", whose size is not known", units.length),
-                    "m, dm, cm, mm, um, km, in, ft", "write one of them as length of [units]");
+    root.report_key(
+        "units",
+        fmt::format("the lengths of the part cannot be converted to \"{}\", whose size is not known", units.length),
+        "m, dm, cm, mm, um, km, in, ft", "write one of them as length of [units]");
     return;
   }
   job["unit"] = *length;

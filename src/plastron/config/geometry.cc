@@ -105,7 +105,8 @@ std::vector<Section> geometry_sections() {
         key("file", Kind::text, {},
             "instead of domain and chart: a mesh in space, whose quadrilaterals or triangles are the mid-surface. A "
             "Gmsh file (.msh, format 2.2 or 4.1, ASCII, order 1 to 10). Physical surfaces name the regions, physical "
-            "curves name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. A CAD file "
+            "curves name the boundaries. Expressions then use X, Y, Z. Mesh curved parts with order 2 or more. A CAD "
+            "file "
             "(.step, .stp, .brep) is meshed on its true faces: methods/cad.md. Facets (.stl, .obj, .ply) are remeshed, "
             "with the error that facets have: methods/surface-meshes.md"),
         key("unit", &SpaceReading::file_unit,
@@ -113,13 +114,16 @@ std::vector<Section> geometry_sections() {
             "of a CAD file: the unit of its lengths. Only where the file does not name one, or names a wrong one. "
             "Lengths are converted to the length of [units], or to m"),
         key("faces", Kind::table, {.shorthand = Kind::name_or_names},
-            "of a CAD file: the faces that are the shell; also written as a name or a list of names. If not given, all"),
+            "of a CAD file: the faces that are the shell; also written as a name or a list of names. If not given, "
+            "all"),
         key("solids", Kind::word, {.fallback = "\"middle\"", .words = {"middle", "faces"}},
-            "of a CAD file with solids. middle: a thin solid, whose faces are opposite to each other at one distance, is the "
+            "of a CAD file with solids. middle: a thin solid, whose faces are opposite to each other at one distance, "
+            "is the "
             "surface in the middle between them. faces: its faces are the shell"),
         key("size", &SpaceReading::size, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
-            "sides of the cells that are made on faces of a CAD file or from facets. If not given: about 200 on a part, "
+            "sides of the cells that are made on faces of a CAD file or from facets. If not given: about 200 on a "
+            "part, "
             "2000 for facets, or smaller ones where these fold at small features. "
             "`plastron check` prints it"),
         key("scale", &SpaceReading::scale, {.fallback = "1", .range = Range::positive()},
@@ -169,12 +173,14 @@ std::optional<domain::Domain> read_file(Table& geometry) {
     geometry.report_key("folds", "folds of a CAD file are edges where its faces meet at an angle above smooth", "",
                         "remove folds");
   if (!is_part && geometry.has("unit"))
-    geometry.report_key("unit", "unit is for CAD files; a mesh has numbers only", "", "write scale = 1e-3 for a mesh in mm");
+    geometry.report_key("unit", "unit is for CAD files; a mesh has numbers only", "",
+                        "write scale = 1e-3 for a mesh in mm");
   if (reading.size && !is_part && !geometry::is_triangle_file(*path)) {
     geometry.report("size",
                     fmt::format("size is given, but {} is a mesh, whose cells are taken as they are",
                                 std::filesystem::path(*path).filename().string()),
-                    "size only with CAD files and facets: .step, .brep, .stl, .obj, .ply", "remove size, or mesh the part with other cells");
+                    "size only with CAD files and facets: .step, .brep, .stl, .obj, .ply",
+                    "remove size, or mesh the part with other cells");
     return {};
   }
   file.path = *path;
@@ -185,7 +191,8 @@ std::optional<domain::Domain> read_file(Table& geometry) {
 }
 
 void refuse_keys_of_files(const Table& geometry) {
-  for (const char* name : {"unit", "faces", "solids", "scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
+  for (const char* name :
+       {"unit", "faces", "solids", "scale", "size", "upper", "smooth", "folds", "tolerance", "offset", "slits"})
     if (geometry.has(name))
       geometry.report_key(name, fmt::format("{} is a key of a mesh in space", name), "",
                           "name the mesh: file = \"part.msh\"");

@@ -59,10 +59,10 @@ const std::vector<Section>& sections() {
   static const std::vector<Section> all = [] {
     std::vector<Section> list;
     for (const auto declare :
-         {file_sections, constants_sections, material_sections, shell_sections, geometry_sections,
-          cad_sections, imperfection_sections, accuracy_sections, mesh_sections, join_sections, rigid_body_sections, support_sections,
-          temperature_sections, foundation_sections, load_sections, obstacle_sections, step_sections, probe_sections,
-          output_sections, solver_sections})
+         {file_sections,       constants_sections,    material_sections,    shell_sections,      geometry_sections,
+          cad_sections,        imperfection_sections, accuracy_sections,    mesh_sections,       join_sections,
+          rigid_body_sections, support_sections,      temperature_sections, foundation_sections, load_sections,
+          obstacle_sections,   step_sections,         probe_sections,       output_sections,     solver_sections})
       std::ranges::move(declare(), std::back_inserter(list));
     return list;
   }();

@@ -176,8 +176,8 @@ void choose_shear_correction(const Table& root, Material& material) {
 
 /// Reads a cross-section of a region. Its initial values are the values of [shell].
 void read_own(Table& region, CrossSection& section) {
-  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density") && !region.has("expansion") &&
-      !region.has("faces"))
+  if (!has_elastic_constants(region) && !region.has("thickness") && !region.has("density") &&
+      !region.has("expansion") && !region.has("faces"))
     region.report_here("[[region]] has nothing of its own",
                        "thickness, E and nu, lambda and mu, material, expansion, density; faces of a CAD file",
                        "give one of them, or leave the region out: it is like [shell] anyway");

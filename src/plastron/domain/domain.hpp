@@ -84,7 +84,7 @@ struct FrozenMesh {
 struct MeshFile {
   std::string path;
   std::optional<SpaceReading>
-      in_space{};  ///< set if the cells are the mid-surface; else they lie in the plane of Omega
+      in_space{};         ///< set if the cells are the mid-surface; else they lie in the plane of Omega
   std::string cad_job{};  ///< of a CAD file: what plastron-cad is asked for, as JSON (apps/cad/job.hpp)
   std::shared_ptr<const FrozenMesh> frozen{};  ///< of a CAD file, if already made (with_shared_mesh, or kept results)
   /// Mesh if already read (with_shared_mesh); otherwise coarse_mesh() reads the file.

@@ -114,8 +114,7 @@ Domain with_shared_mesh(Domain domain, mesh::Shape shape, MPI_Comm comm) {
   MPI_Comm_size(comm, &ranks);
   auto mesh = algebra::in_agreement(comm, [&] {
     if (rank != 0) return mesh::CoarseMesh{};
-    if (is_cad_file(file->path) && !file->frozen)
-      file->frozen = std::make_shared<const FrozenMesh>(frozen_mesh(*file));
+    if (is_cad_file(file->path) && !file->frozen) file->frozen = std::make_shared<const FrozenMesh>(frozen_mesh(*file));
     return read_if_possible(*file, shape);
   });
   if (ranks > 1) mesh = dealii::Utilities::MPI::broadcast(comm, mesh);

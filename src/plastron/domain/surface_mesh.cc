@@ -70,7 +70,8 @@ class SpaceCells {
       cell.nodes[places[i]] = static_cast<std::int32_t>(data_.element_nodes[element.first_node + i]);
     if (!data_.element_normals.empty() && !data_.element_normals[element.first_node].isZero(0)) {
       cell.normals.resize(places.size());
-      for (std::size_t i = 0; i < places.size(); ++i) cell.normals[places[i]] = data_.element_normals[element.first_node + i];
+      for (std::size_t i = 0; i < places.size(); ++i)
+        cell.normals[places[i]] = data_.element_normals[element.first_node + i];
     }
     mesh_.cells.push_back(std::move(cell));
   }

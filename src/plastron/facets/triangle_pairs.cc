@@ -32,8 +32,8 @@ double skewness_of(const std::array<int, 4>& corners, const std::vector<Vector3d
 }
 
 /// Adds the pair of two triangles on the side of the first one from corner k to the next.
-void add_candidate(const std::vector<Vector3d>& points, const Triangles& triangles, const std::array<std::size_t, 2>& both,
-                   std::size_t k, std::vector<Candidate>& candidates) {
+void add_candidate(const std::vector<Vector3d>& points, const Triangles& triangles,
+                   const std::array<std::size_t, 2>& both, std::size_t k, std::vector<Candidate>& candidates) {
   constexpr double most_skew = std::numbers::pi / 3;
   const auto &t = triangles[both[0]], &o = triangles[both[1]];
   const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
@@ -41,7 +41,9 @@ void add_candidate(const std::vector<Vector3d>& points, const Triangles& triangl
   for (const int corner : o)
     if (corner != a && corner != b) d = corner;
   const std::array corners{a, d, b, c};
-  const auto normal = [&](int p, int q, int r) { return Vector3d((points[q] - points[p]).cross(points[r] - points[p])); };
+  const auto normal = [&](int p, int q, int r) {
+    return Vector3d((points[q] - points[p]).cross(points[r] - points[p]));
+  };
   // Each of the two other triangles of the quadrilateral must be turned alike, too: else it has an angle above 180 degrees.
   const Vector3d mean = normal(a, b, c) + normal(a, d, b);
   if (normal(a, d, c).dot(mean) <= 0 || normal(d, b, c).dot(mean) <= 0) return;
@@ -56,7 +58,8 @@ std::vector<TrianglePair> triangle_pairs(const std::vector<Vector3d>& points, co
                                          const std::function<bool(const std::array<int, 4>&)>& may_pair) {
   std::map<Ends, std::vector<std::pair<std::size_t, std::size_t>>> at_side;  // triangle and corner
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) at_side[ascending(triangles[t][k], triangles[t][(k + 1) % 3])].emplace_back(t, k);
+    for (std::size_t k = 0; k < 3; ++k)
+      at_side[ascending(triangles[t][k], triangles[t][(k + 1) % 3])].emplace_back(t, k);
   std::vector<Candidate> candidates;
   for (const auto& [ends, both] : at_side)
     if (both.size() == 2 && !is_curve(ends))

@@ -46,13 +46,13 @@ CaseSource case_source(const std::filesystem::path& case_file, std::string text,
 /// Data of results.json besides the result itself.
 struct Provenance {
   std::string title;
-  Json settings;                       ///< effective settings, including all defaults
-  std::vector<std::string> files;      ///< written beside results.json
-  std::optional<CaseSource> source{};  ///< the case file and the files that it names
-  std::string solution{};              ///< one of `files`: the solution with all digits
-  std::string case_copy{};             ///< one of `files`: the copy of the case file
-  std::vector<double> heights{};       ///< z / e of additional stresses in the .vtu file, see fields_of()
-  problem::UnitNames units{};          ///< names in the files
+  Json settings;                                   ///< effective settings, including all defaults
+  std::vector<std::string> files;                  ///< written beside results.json
+  std::optional<CaseSource> source{};              ///< the case file and the files that it names
+  std::string solution{};                          ///< one of `files`: the solution with all digits
+  std::string case_copy{};                         ///< one of `files`: the copy of the case file
+  std::vector<double> heights{};                   ///< z / e of additional stresses in the .vtu file, see fields_of()
+  problem::UnitNames units{};                      ///< names in the files
   std::shared_ptr<const std::string> part_mesh{};  ///< of a case with a CAD file: its mesh, as text of a .msh file
 };
 

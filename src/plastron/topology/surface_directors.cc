@@ -81,7 +81,8 @@ std::vector<Vector3d> given_normals(const SpaceMesh& mesh, const SurfaceCell& ce
           SurfaceError::About::cells,
           fmt::format("the normal that the file gives for {} at {} is more than 60 degrees off that of the element; "
                       "correct it or leave out the normals",
-                      place_of(cell), place_of(mesh.nodes[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(n)])])));
+                      place_of(cell),
+                      place_of(mesh.nodes[static_cast<std::size_t>(cell.nodes[static_cast<std::size_t>(n)])])));
     normals.push_back(given.normalized());
   }
   return normals;
