@@ -35,11 +35,10 @@ TEST(HarmfulMeshFile, with_a_script_is_refused_and_not_carried_out) {
   EXPECT_FALSE(std::filesystem::exists(trace.path));
 }
 
-TEST(HarmfulMeshFile, that_is_a_drawing_is_refused_with_the_way_to_a_mesh) {
-  EXPECT_THAT(refusal("ISO-10303-21;\nHEADER;\n"),
-              AllOf(HasSubstr("STEP"), HasSubstr("mid-surface"), HasSubstr(".msh")));
+TEST(HarmfulMeshFile, that_is_a_part_is_refused_with_its_right_name) {
+  EXPECT_THAT(refusal("ISO-10303-21;\nHEADER;\n"), AllOf(HasSubstr("STEP"), HasSubstr("file = \"part.step\"")));
   for (const char* first : {"DBRep_DrawableShape\n", "CASCADE Topology V1, (c) Matra-Datavision\n"})
-    EXPECT_THAT(refusal(first), AllOf(HasSubstr("BREP"), HasSubstr("mid-surface"), HasSubstr(".msh")));
+    EXPECT_THAT(refusal(first), AllOf(HasSubstr("BREP"), HasSubstr("file = \"part.brep\"")));
 }
 
 TEST(HarmfulMeshFile, that_is_a_pipe_a_device_or_a_folder_is_refused_at_once) {

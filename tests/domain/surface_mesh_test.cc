@@ -43,6 +43,48 @@ std::string refusal(const std::string& text, SpaceReading reading = {}) {
   return "";
 }
 
+/// The two squares with normals of their own; the second one's are on its other side. `wall` is that of the wall.
+std::string with_normals(const std::string& wall, const std::string& elements = "2") {
+  return folded + "$ElementNodeData\n1\n\"normal\"\n1\n0\n3\n0\n3\n" + elements +
+         "\n2 4 0 0 1 0 0 1 0 0 1 0 0 1\n3 4 " + wall + " " + wall + " " + wall + " " + wall +
+         "\n$EndElementNodeData\n";
+}
+
+TEST(SurfaceMesh, TakesTheNormalsOfCells) {
+  const written::TemporaryPath path(".msh");
+  // Tilted by 3 degrees: the mesh is not the part, and the part's normals count.
+  const double tilt = 3 * std::numbers::pi / 180;
+  const FileSurface surface =
+      read_surface(file_of(path, with_normals(fmt::format("{} {} 0", -2 * std::cos(tilt), -2 * std::sin(tilt)))), {});
+  int found = 0;
+  for (const topology::DirectorNode& node : surface.topology.director_nodes)
+    if (std::abs(node.director[2]) < 0.5) {
+      EXPECT_NEAR(std::abs(node.director[0]), std::cos(tilt), 1e-14);
+      EXPECT_NEAR(std::abs(node.director[1]), std::sin(tilt), 1e-14);
+      ++found;
+    }
+  EXPECT_EQ(found, 4);
+  // Faces of a part meet smoothly to a degree, elements with means of normals to ten.
+  EXPECT_NEAR(surface.topology.smooth_angle, std::numbers::pi / 180, 1e-14);
+}
+
+TEST(SurfaceMesh, RefusesWrongNormalsOfCells) {
+  EXPECT_THAT(refusal(with_normals("0 0 1")), HasSubstr("more than 60 degrees off"));
+  EXPECT_THAT(refusal(with_normals("0 0 nan")), HasSubstr("a coordinate"));
+  EXPECT_THAT(refusal(with_normals("1 0")), HasSubstr("a coordinate"));
+  EXPECT_THAT(refusal(with_normals("1 0 0 0")), HasSubstr("element 3"));
+  EXPECT_THAT(refusal(with_normals("1 0 0", "999999999")), HasSubstr("the number of elements with normals"));
+  EXPECT_THAT(refusal(folded + "$Notes\n2\nhello\n$EndNotes\n"), HasSubstr("Notes"));
+}
+
+TEST(SurfaceMesh, TellsNotesAndWarningsOfItsFile) {
+  const written::TemporaryPath path(".msh");
+  const FileSurface surface =
+      read_surface(file_of(path, folded + "$Notes\n2\nmade of two faces\nwarning: rough\n$EndNotes\n"), {});
+  EXPECT_THAT(surface.notes, ElementsAre("made of two faces"));
+  EXPECT_THAT(surface.warnings, ElementsAre("rough"));
+}
+
 TEST(SurfaceMesh, HasNamesFoldsAndOneOrientation) {
   const written::TemporaryPath path(".msh");
   const FileSurface surface = read_surface(file_of(path, folded), {});
