@@ -106,6 +106,7 @@ void write_mesh(const std::string& path, const SampledMesh& mesh, const PartName
     out.print("2 {} {} {}\n", face, square_type(mesh.degree), of_face.size());
     for (const SampledCell* cell : of_face) {
       std::vector<int> ordered;
+      ordered.reserve(places.size());
       for (const int place : places) ordered.push_back(cell->nodes[place]);
       out.print("{} {}\n", ++tag, numbers(ordered));
     }

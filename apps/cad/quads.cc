@@ -122,7 +122,8 @@ Triangles triangles_in_gmsh(const JoinedPart& part, double tolerance) {
   CurveEdges edges(part, tolerance);
   gmsh::vectorpair curves, surfaces;
   gmsh::model::getEntities(curves, 1);
-  for (const auto& [dimension, curve] : curves) {
+  for (const auto& entity : curves) {
+    const int curve = entity.second;
     int edge = 0;
     for_each_element(1, curve, 2, [&](const std::size_t* n) {
       if (edge == 0) edge = edges.edge_of(curve);

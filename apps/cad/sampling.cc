@@ -322,7 +322,8 @@ class Sampler {
   /// Places between the nodes of a lattice, in the first and the middle interval.
   static std::vector<double> between_nodes(int degree) {
     if (degree == 1) return {0.5};
-    return {0.5 / degree, (degree / 2 + 0.5) / degree};
+    const int middle = degree / 2;
+    return {0.5 / degree, (middle + 0.5) / degree};
   }
 
   void measure_cell(const SampledCell& cell, const Guess& guess, SampledMesh& mesh) const {

@@ -80,10 +80,11 @@ double distance_to(const gp_Pnt& point, const TopoDS_Shape& shape) {
 /// The shapes nearest to a point, all that are at the same distance.
 std::vector<bool> nearest_of(const gp_Pnt& point, const std::vector<TopoDS_Shape>& shapes) {
   std::vector<double> distances;
+  distances.reserve(shapes.size());
   for (const TopoDS_Shape& shape : shapes) distances.push_back(distance_to(point, shape));
   const double least = std::ranges::min(distances), rounding = 1e-7;
-  std::vector<bool> is_nearest;
-  for (const double d : distances) is_nearest.push_back(d <= least + rounding);
+  std::vector<bool> is_nearest(shapes.size());
+  std::ranges::transform(distances, is_nearest.begin(), [&](double d) { return d <= least + rounding; });
   return is_nearest;
 }
 
@@ -140,6 +141,7 @@ std::vector<bool> select_faces(const json& selector, const std::vector<LabelledF
   }
   if (selector.contains("at")) {
     std::vector<TopoDS_Shape> shapes;
+    shapes.reserve(faces.size());
     for (const LabelledFace& face : faces) shapes.push_back(face.face);
     const auto is_nearest = nearest_of(point_in(selector["at"], job.mm()), shapes);
     keep([&](std::size_t i) { return is_nearest[i]; });
