@@ -84,7 +84,8 @@ std::vector<bool> nearest_of(const gp_Pnt& point, const std::vector<TopoDS_Shape
   for (const TopoDS_Shape& shape : shapes) distances.push_back(distance_to(point, shape));
   const double least = std::ranges::min(distances), rounding = 1e-7;
   std::vector<bool> is_nearest(shapes.size());
-  std::ranges::transform(distances, is_nearest.begin(), [&](double d) { return d <= least + rounding; });
+  std::transform(distances.begin(), distances.end(), is_nearest.begin(),
+                 [&](double d) { return d <= least + rounding; });
   return is_nearest;
 }
 

@@ -59,6 +59,7 @@ std::string program() {
 /// Runs the program, with its messages in a file. Returns the status of waitpid(), or nothing if there is no such program.
 std::optional<int> run(std::vector<std::string> words, const std::string& messages) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t files;

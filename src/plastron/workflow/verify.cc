@@ -3,7 +3,7 @@
 #include <plastron/domain/cad_mesh.hpp>
 #include <plastron/geometry/text_file.hpp>
 #include <plastron/io/solution_file.hpp>
-#include <plastron/workflow/output.hpp>
+#include <plastron/workflow/output_directory.hpp>
 #include <plastron/workflow/read.hpp>
 
 #include <fmt/format.h>
