@@ -3,7 +3,6 @@
 #include "console.hpp"
 #include "terminal.hpp"
 
-#include <plastron/domain/cad_mesh.hpp>
 #include <plastron/io/atomic_file.hpp>
 #include <plastron/report/surface_page.hpp>
 #include <plastron/report/surface_parts.hpp>

@@ -2,7 +2,6 @@
 // obeys it (apps/cad/job.hpp).
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
-#include <plastron/domain/cad_mesh.hpp>
 
 namespace plastron::config {
 

@@ -1,7 +1,6 @@
 // Reads [geometry]: the domain and its charts.
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
-#include <plastron/domain/cad_mesh.hpp>
 #include <plastron/geometry/quotation.hpp>
 #include <plastron/geometry/triangle_mesh.hpp>
 

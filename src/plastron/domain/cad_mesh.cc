@@ -89,12 +89,6 @@ std::string message_in(const std::string& path) {
 
 }  // namespace
 
-bool is_cad_file(const std::string& path) {
-  std::string end = fs::path(path).extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return end == ".step" || end == ".stp" || end == ".brep";
-}
-
 FrozenMesh frozen_mesh(const MeshFile& file) {
   const auto failed = [&](std::string why) { return FrozenMesh{.failure = fmt::format("{}: {}", file.path, why)}; };
   try {

@@ -7,9 +7,6 @@
 
 namespace plastron::domain {
 
-/// Whether the name of the file ends with .step, .stp or .brep.
-bool is_cad_file(const std::string& path);
-
 /// Meshes a CAD file. Starts plastron-cad, which is where the environment variable PLASTRON_CAD says, beside this program,
 /// or on the PATH; it ends after a minute.
 FrozenMesh frozen_mesh(const MeshFile& file);

@@ -1,6 +1,9 @@
 #include <plastron/domain/domain.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 namespace plastron::domain {
 
@@ -58,6 +61,12 @@ bool is_convex_quadrilateral(const Polygon& polygon) {
     sign = turn;
   }
   return true;
+}
+
+bool is_cad_file(const std::string& path) {
+  std::string end = std::filesystem::path(path).extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return end == ".step" || end == ".stp" || end == ".brep";
 }
 
 }  // namespace plastron::domain

@@ -91,6 +91,9 @@ struct MeshFile {
   std::shared_ptr<const mesh::CoarseMesh> mesh{};
 };
 
+/// Whether the name of the file ends with .step, .stp or .brep.
+bool is_cad_file(const std::string& path);
+
 using Domain = std::variant<Rectangle, Disk, Annulus, Polygon, MeshFile>;
 
 /// The boundary names of a built-in domain; empty for a mesh file, whose names are read with the mesh.

@@ -1,6 +1,6 @@
 #include <plastron/workflow/verify.hpp>
 
-#include <plastron/domain/cad_mesh.hpp>
+#include <plastron/domain/domain.hpp>
 #include <plastron/geometry/text_file.hpp>
 #include <plastron/io/solution_file.hpp>
 #include <plastron/workflow/output_directory.hpp>
