@@ -165,10 +165,10 @@ std::optional<domain::Domain> read_file(Table& geometry) {
   const auto path = read_mesh_path(geometry, "file");
   if (!path || !is_right) return {};
   const bool is_part = domain::is_cad_file(*path);
-  if (is_part && geometry.has("scale"))
+  if (is_part && reading.scale != 1)
     geometry.report_key("scale", "a CAD file has a unit, from which its lengths are converted", "",
                         "remove scale, and write [units] with length = \"mm\" to compute in mm");
-  if (is_part && geometry.has("folds"))
+  if (is_part && !reading.folds.empty())
     geometry.report_key("folds", "folds of a CAD file are edges where its faces meet at an angle above smooth", "",
                         "remove folds");
   if (!is_part && geometry.has("unit"))
