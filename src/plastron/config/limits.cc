@@ -100,7 +100,8 @@ const std::vector<Limit>& limits() {
        {"stiffeners"},
        "`[[join]]` joins edges. An edge cannot be joined to the inside of a shell.",
        "an error of `check`",
-       "divide the other shell there into two pieces, or use a mesh in space, where three or more cells may share a "
+       "divide the other shell there into two pieces, or use a CAD file or a mesh in space, where three or more cells "
+       "may share a "
        "side"},
   };
   return all;
