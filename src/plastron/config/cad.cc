@@ -113,6 +113,7 @@ std::vector<Section> cad_sections() {
 void read_chosen_faces(Table& geometry) {
   for (const char* name : {"faces", "solids"})
     if (geometry.has(name) && !is_part(geometry)) return report_without_part(geometry, name);
+  if (!is_part(geometry)) return;
   if (geometry.text("solids") == "faces") geometry.reading().part["skins"] = true;
   if (!geometry.has("faces")) return;
   geometry.reading().part["faces"] = read_selector(geometry, "faces", "face");
