@@ -1,4 +1,4 @@
-// What plastron-cad is asked for: the part, and which mesh of it. Lengths of the job are those of the case; the program
+// The job of plastron-cad: the part, and the mesh to make of it. Lengths of the job are in the case's unit; the program
 // computes in millimetres, as Open CASCADE does.
 #pragma once
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@
 
 namespace plastron::cad {
 
-/// What is wrong with a part, for the user.
+/// An error in a part, as a sentence for the user.
 struct PartError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -30,6 +30,7 @@ struct Job {
   std::optional<double> size{};          ///< sides of the cells, in the case's unit
   std::optional<double> tolerance{};     ///< edges nearer than this are one edge, in the case's unit
   std::optional<double> thickness{};     ///< of the shell, if it is one number, in the case's unit
+  double offset = 0;                     ///< of the case, as a part of the thickness
   bool takes_skins = false;  ///< whether the faces of thin solids are the shell, and not the middle between them
   nlohmann::json faces{};    ///< which faces are the shell; null: all
   std::vector<Selection> regions{}, boundaries{};

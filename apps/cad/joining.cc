@@ -5,6 +5,7 @@
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepClass_FaceClassifier.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -47,8 +48,8 @@ JoinedPart labelled(const TopoDS_Shape& shape, const std::vector<LabelledFace>& 
   for (const LabelledFace& old : before)
     successors(old.face, [&](const TopoDS_Shape& now) {
       if (const int i = part.faces.FindIndex(now); i > 0) {
-        part.labelled[i - 1].label = old.label;
-        part.labelled[i - 1].number = old.number;
+        part.labelled[i - 1] = old;
+        part.labelled[i - 1].face = TopoDS::Face(part.faces(i));
       }
     });
   return part;
@@ -67,7 +68,7 @@ std::vector<LabelledFace> divided_at_kinks(const std::vector<LabelledFace>& face
     division.SetTolerance(BRep_Tool::Tolerance(face.face));
     division.Perform();
     for (TopExp_Explorer part(division.Result(), TopAbs_FACE); part.More(); part.Next())
-      divided.push_back({TopoDS::Face(part.Current()), face.label, face.number});
+      divided.push_back({TopoDS::Face(part.Current()), face.label, face.number, face.thickness});
   }
   return divided;
 }
@@ -97,6 +98,31 @@ bool is_inside(const TopoDS_Face& face, const gp_Pnt& point, double tolerance) {
   if (surface->Value(uv.X(), uv.Y()).Distance(point) > tolerance) return false;
   const BRepClass_FaceClassifier classifier(face, uv, tolerance);
   return classifier.State() == TopAbs_IN;
+}
+
+bool have_common_vertex(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(a, TopAbs_VERTEX, vertices);
+  for (TopExp_Explorer vertex(b, TopAbs_VERTEX); vertex.More(); vertex.Next())
+    if (vertices.Contains(vertex.Current())) return true;
+  return false;
+}
+
+/// Number of pairs of faces that meet and have no vertex in common: they cross, or touch inside of an edge.
+int crossings(const JoinedPart& part, double tolerance) {
+  std::vector<Bnd_Box> boxes(static_cast<std::size_t>(part.faces.Extent()));
+  for (int f = 1; f <= part.faces.Extent(); ++f) {
+    BRepBndLib::Add(part.faces(f), boxes[f - 1]);
+    boxes[f - 1].Enlarge(tolerance);
+  }
+  int found = 0;
+  for (int f = 1; f <= part.faces.Extent(); ++f)
+    for (int g = f + 1; g <= part.faces.Extent(); ++g) {
+      if (boxes[f - 1].IsOut(boxes[g - 1]) || have_common_vertex(part.faces(f), part.faces(g))) continue;
+      const BRepExtrema_DistShapeShape distance(part.faces(f), part.faces(g));
+      if (distance.IsDone() && distance.Value() <= tolerance) ++found;
+    }
+  return found;
 }
 
 /// Number of free edges that run inside a face or end there.
@@ -154,15 +180,21 @@ JoinedPart imprinted(const JoinedPart& part, double tolerance) {
 
 JoinedPart joined(const PartFile& part, std::optional<double> tolerance) {
   constexpr double relative = 1e-6;  // of the diagonal
-  const double used = tolerance.value_or(relative * diagonal_of(compound_of(part.faces)));
+  constexpr double most = 0.01;
+  const TopoDS_Compound all = compound_of(part.faces);
+  const double diagonal = diagonal_of(all), used = tolerance.value_or(relative * diagonal);
+  if (used > most * diagonal)
+    throw PartError(fmt::format("the tolerance of {:.4g} mm is above a hundredth of the part's diagonal of {:.4g} mm",
+                                used, diagonal));
   JoinedPart result = sewn(divided_at_kinks(part.faces), used);
-  const int joints = open_joints(result, used);
+  const int joints = open_joints(result, used) + crossings(result, used);
   if (joints > 0) {
     const int joined_edges = result.joined_edges;
     result = imprinted(result, used);
     result.joined_edges = joined_edges;
   }
   result.imprinted = joints;
+  result.lost_area = std::max(0.0, area_of(all) - area_of(result.shape));
   result.tolerance = used;
   return result;
 }

@@ -7,6 +7,8 @@
 #include "frozen_mesh.hpp"
 #include "mid_surface.hpp"
 
+#include <plastron/topology/surface_patch.hpp>
+
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <OSD.hxx>
@@ -29,10 +31,17 @@ namespace plastron::cad {
 
 namespace {
 
-/// Sides of cells where the case names none: some 200 cells on the area.
-double default_size(double area) {
-  constexpr double cells = 200;
-  return std::sqrt(area / cells);
+/// Sides of cells [mm]: if the case names none, such that some 200 cells fit on the area. Throws PartError if there would be
+/// too many.
+double size_of(const JoinedPart& part, const Job& job) {
+  constexpr double usual = 200, most = 2e5;  // cells
+  const double area = area_of(part.shape), size = job.size ? *job.size * job.mm() : std::sqrt(area / usual);
+  if (area > most * size * size)
+    throw PartError(
+        fmt::format("with size = {:.6g} m it would have {:.2g} cells, and at most {:.0f} are made; size must be at "
+                    "least {:.3g} m",
+                    *job.size, area / (size * size), most, std::sqrt(area / most) / job.mm()));
+  return size;
 }
 
 /// A mesh without folded cells. Cells that are larger than the features of the part fold over, and Gmsh does not say so: smaller
@@ -78,17 +87,17 @@ SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
                               is_given ? "take a smaller size" : "set size, or mend the part at this place"));
 }
 
-std::vector<std::string> notes_of(const PartFile& file, const JoinedPart& part, const SampledMesh& mesh, double size,
-                                  const Job& job) {
+std::vector<std::string> notes_of(const std::string& unit, std::size_t faces, const JoinedPart& part,
+                                  const SampledMesh& mesh, double size, const Job& job) {
   const double mm = job.mm();
   std::vector<std::string> notes;
   std::set<int> numbers;
   for (const LabelledFace& face : part.labelled) numbers.insert(face.number);
   notes.push_back(
-      fmt::format("{} of {} faces of the file{} are the shell, {:.10g} m^2; {} cells of degree {} with sides of "
+      fmt::format("{} of {} faces of the file{} are meshed, {:.10g} m^2; {} cells of degree {} with sides of "
                   "about {:.3g} m",
-                  numbers.size(), file.faces.size(), file.unit.empty() ? "" : fmt::format(" (in {})", file.unit),
-                  area_of(part.shape) / (mm * mm), mesh.cells.size(), mesh.degree, size / mm));
+                  numbers.size(), faces, unit.empty() ? "" : fmt::format(" (in {})", unit),
+                  area_of(part.shape) / (mm * mm), mesh.surface.cells.size(), mesh.degree, size / mm));
   constexpr double large = 0.01;  // [rad]
   const bool is_rough = mesh.error.direction > large;
   notes.push_back(fmt::format("{}the cells are up to {:.1e} m off the faces, and their normals {:.1e} degrees{}",
@@ -100,44 +109,76 @@ std::vector<std::string> notes_of(const PartFile& file, const JoinedPart& part, 
                     "nearly touch along each other",
                     std::asin(std::max(0.0, mesh.worst_shape)) * 180 / std::numbers::pi, mesh.worst_place[0] / mm,
                     mesh.worst_place[1] / mm, mesh.worst_place[2] / mm));
+  constexpr double negligible = 1e-6;
+  if (part.lost_area > negligible * area_of(part.shape))
+    notes.push_back(
+        fmt::format("warning: faces lie on others, or are narrower than the tolerance: {:.6g} m^2 count once",
+                    part.lost_area / (mm * mm)));
   if (part.joined_edges > 0)
     notes.push_back(fmt::format("{} edges of two faces were made one (tolerance {:.2g} m)", part.joined_edges,
                                 part.tolerance / mm));
   if (part.imprinted > 0)
-    notes.push_back(fmt::format("{} edges end inside of faces, which were divided there", part.imprinted));
+    notes.push_back(
+        fmt::format("at {} places faces meet without a common edge; they were divided there", part.imprinted));
   return notes;
 }
 
-void mesh_part(const Job& job, const std::string& path) {
-  const PartFile file = read_part(job);
-  PartFile chosen = file;
-  chosen.faces = chosen_faces(file, job);
-  const std::vector<ThinSide> sides =
-      job.faces.is_null() && !job.takes_skins ? thin_sides(file) : std::vector<ThinSide>{};
-  std::map<int, double> thickness;  // by number of the face
-  if (!sides.empty()) chosen.faces.clear();
-  for (const ThinSide& side : sides)
-    for (const LabelledFace& face : side.faces) {
-      chosen.faces.push_back(face);
-      thickness[face.number] = side.thickness;
+/// Tells each thickness of sheets once, and where that of the case differs.
+void add_notes_on_thickness(const JoinedPart& part, const Job& job, std::vector<std::string>& notes) {
+  constexpr double same = 0.01;
+  std::map<double, int> faces;  // by thickness
+  for (const LabelledFace& face : part.labelled)
+    if (face.thickness > 0) {
+      const auto known = std::ranges::find_if(
+          faces, [&](const auto& f) { return std::abs(f.first - face.thickness) <= same * f.first; });
+      ++(known == faces.end() ? faces[face.thickness] : known->second);
     }
-  const JoinedPart part = joined(chosen, job.tolerance ? std::optional(*job.tolerance * job.mm()) : std::nullopt);
-  const PartNames names = names_of(part, job);
-  const double size = job.size ? *job.size * job.mm() : default_size(area_of(part.shape));
-  SampledMesh mesh = meshed(part, size, job.size.has_value());
-  std::vector<std::string> notes = notes_of(file, part, mesh, size, job);
-  if (!sides.empty()) {
-    std::vector<double> of_faces;
-    for (const LabelledFace& face : part.labelled) of_faces.push_back(thickness.at(face.number));
-    move_to_middle(mesh, of_faces);
-    for (const ThinSide& side : sides)
-      if (const double e = side.thickness / job.mm(); job.thickness && std::abs(*job.thickness - e) > 0.01 * e)
-        notes.push_back(fmt::format("warning: the solid is {:.6g} m thick, and [shell] has the thickness {:.6g} m", e,
-                                    *job.thickness));
-    for (const ThinSide& side : sides)
+  for (const auto& [thickness, count] : faces) {
+    const double e = thickness / job.mm();
+    notes.push_back(
+        fmt::format("{} of the faces are one side of a sheet of {:.6g} m; the shell is its middle", count, e));
+    if (job.offset != 0)
       notes.push_back(
-          fmt::format("the mid-surface of a solid of {:.6g} m thickness is made from the {} faces of one side",
-                      side.thickness / job.mm(), side.faces.size()));
+          fmt::format("warning: offset = {:g} moves the shell away from the middle of the sheet", job.offset));
+    if (job.thickness && std::abs(*job.thickness - e) > same * e)
+      notes.push_back(fmt::format("warning: the solid is {:.6g} m thick, and [shell] has the thickness {:.6g} m", e,
+                                  *job.thickness));
+  }
+}
+
+/// The volume of sheets is the area of their middles times their thickness, unless their rims are round or slanted.
+void add_note_on_volume(const PartFile& file, const JoinedPart& part, const SampledMesh& mesh, const Job& job,
+                        std::vector<std::string>& notes) {
+  constexpr double allowed = 0.01;
+  const auto integrals = topology::patch_integrals(mesh.surface, Vector3d::Zero());
+  double of_middles = 0, of_solids = 0;
+  for (std::size_t c = 0; c < integrals.size(); ++c)
+    of_middles +=
+        integrals[c].area * part.labelled[static_cast<std::size_t>(mesh.surface.cells[c].region) - 1].thickness;
+  if (of_middles == 0) return;
+  for (const TopoDS_Shape& solid : file.solids) of_solids += volume_of(solid);
+  const double cubic = std::pow(job.mm(), 3);
+  if (std::abs(of_middles - of_solids) > allowed * of_solids)
+    notes.push_back(
+        fmt::format("warning: area times thickness of the middle is {:.6g} m^3, and the volume of the solid is "
+                    "{:.6g} m^3: its rims are round, chamfered or slanted, and the shell ends elsewhere",
+                    of_middles / cubic, of_solids / cubic));
+}
+
+void mesh_part(const Job& job, const std::string& path) {
+  PartFile file = read_part(job);
+  const std::size_t faces = file.faces.size();
+  const bool takes_middles = job.faces.is_null() && !job.takes_skins;
+  file.faces = takes_middles ? with_sides_of_sheets(file) : chosen_faces(file, job);
+  const JoinedPart part = joined(file, job.tolerance ? std::optional(*job.tolerance * job.mm()) : std::nullopt);
+  const PartNames names = names_of(part, job);
+  const double size = size_of(part, job);
+  SampledMesh mesh = meshed(part, size, job.size.has_value());
+  std::vector<std::string> notes = notes_of(file.unit, faces, part, mesh, size, job);
+  if (takes_middles) {
+    move_to_middle(file, part, mesh);
+    add_notes_on_thickness(part, job, notes);
+    add_note_on_volume(file, part, mesh, job, notes);
   }
   write_mesh(path, mesh, names, job.mm(), notes);
 }
@@ -187,6 +228,7 @@ Job read_job(const std::string& part, const std::string& text) {
   job.size = number("size");
   job.tolerance = number("tolerance");
   job.thickness = number("thickness");
+  job.offset = json.value("offset", 0.0);
   job.takes_skins = json.value("skins", false);
   if (json.contains("faces")) job.faces = json["faces"];
   const auto selections = [&](const char* key, std::vector<Selection>& all) {

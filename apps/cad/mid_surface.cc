@@ -1,6 +1,7 @@
 #include "mid_surface.hpp"
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepClass_FaceClassifier.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -66,7 +68,7 @@ double perimeter_of(const TopoDS_Face& face) {
   return properties.Mass();
 }
 
-/// What lies behind a face.
+/// The faces behind a face, along its inward normal.
 struct Opposite {
   double distance = 0;    ///< of most places; 0: there is no face at one distance
   std::set<int> faces{};  ///< there
@@ -87,8 +89,8 @@ class Solid {
 
   bool is_thin() const { return std::ranges::count(is_skin_, true) > 0; }
 
-  /// The side that is meshed. Throws PartError.
-  ThinSide side() const {
+  /// The side that is meshed, with its thickness. Throws PartError.
+  std::vector<LabelledFace> side() const {
     // A side has its opposite faces on one other side.
     std::map<int, std::set<int>> partners;
     for (std::size_t i = 0; i < faces_.size(); ++i)
@@ -101,24 +103,23 @@ class Solid {
           "a solid is thin in places, but it is no sheet with two sides: it branches, or is thick elsewhere; choose "
           "the "
           "faces of the shell: faces = [...] with offset = 0.5, export the mid-surface from the CAD program, or take "
-          "the skin: "
-          "solids = \"faces\"");
+          "the "
+          "skin: solids = \"faces\"");
     check_rims();
     std::map<int, double> areas;
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (is_skin_[i]) areas[component_[i]] += area_of(faces_[i].face);
     const auto larger = std::ranges::max_element(areas, {}, [](const auto& entry) { return entry.second; })->first;
-    ThinSide side;
+    std::vector<LabelledFace> side;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       if (!is_skin_[i] || component_[i] != larger) continue;
-      const double e = opposite_[i].distance;
-      if (side.faces.empty()) side.thickness = e;
-      if (std::abs(e - side.thickness) > same * side.thickness)
+      side.push_back(faces_[i]);
+      side.back().thickness = opposite_[i].distance;
+      if (std::abs(side.back().thickness - side.front().thickness) > same * side.front().thickness)
         throw PartError(
-            fmt::format("face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one "
-                        "thickness: choose the faces by hand",
-                        faces_[i].number, e, side.thickness));
-      side.faces.push_back(faces_[i]);
+            fmt::format("face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one thickness: "
+                        "choose the faces: faces = [...]",
+                        faces_[i].number, side.back().thickness, side.front().thickness));
     }
     return side;
   }
@@ -158,8 +159,7 @@ class Solid {
     return result;
   }
 
-  /// Faces that are wide beside the distance of what lies behind them, then their neighbours behind which there is the same
-  /// distance, such as fillets.
+  /// Faces that are wide beside the distance of the faces behind them.
   void find_skins() {
     constexpr double slender = 0.3, most = 0.5;
     is_skin_.assign(faces_.size(), false);
@@ -168,6 +168,7 @@ class Solid {
                     opposite_[i].distance < slender * std::sqrt(area_of(faces_[i].face));
   }
 
+  /// Adds neighbours with the same distance, such as fillets, and finds the connected sides.
   void connect(const TopoDS_Shape& shape) {
     TopTools_IndexedDataMapOfShapeListOfShape faces_of;
     TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
@@ -235,33 +236,71 @@ class Solid {
 
 }  // namespace
 
-std::vector<ThinSide> thin_sides(const PartFile& part) {
-  std::vector<ThinSide> sides;
+std::vector<LabelledFace> with_sides_of_sheets(const PartFile& part) {
+  std::vector<LabelledFace> chosen;
+  TopTools_IndexedMapOfShape in_solids;
+  std::size_t thin = 0;
   for (const TopoDS_Shape& shape : part.solids) {
-    std::vector<LabelledFace> faces;
     TopTools_IndexedMapOfShape own;
     TopExp::MapShapes(shape, TopAbs_FACE, own);
+    TopExp::MapShapes(shape, TopAbs_FACE, in_solids);
+    std::vector<LabelledFace> faces;
     for (const LabelledFace& face : part.faces)
       if (own.Contains(face.face)) faces.push_back(face);
     const Solid solid(std::move(faces), shape);
-    if (solid.is_thin()) sides.push_back(solid.side());
+    if (!solid.is_thin()) continue;
+    ++thin;
+    std::ranges::copy(solid.side(), std::back_inserter(chosen));
   }
-  return sides;
+  if (thin == 0) return part.faces;
+  if (thin < part.solids.size())
+    throw PartError(fmt::format(
+        "{} of its {} solids are sheets, and the others are not; choose the faces of the shell: faces = [...], "
+        "or export the sheets alone",
+        thin, part.solids.size()));
+  for (const LabelledFace& face : part.faces)
+    if (!in_solids.Contains(face.face)) chosen.push_back(face);
+  return chosen;
 }
 
-void move_to_middle(SampledMesh& mesh, const std::vector<double>& thickness) {
+namespace {
+
+/// The middle of a cell of each face must lie in a solid.
+void check_inside(const PartFile& part, const JoinedPart& joined, const SampledMesh& mesh) {
+  std::set<int> seen;
+  for (const topology::SurfaceCell& cell : mesh.surface.cells) {
+    const LabelledFace& face = joined.labelled[static_cast<std::size_t>(cell.region) - 1];
+    if (face.thickness == 0 || !seen.insert(cell.region).second) continue;
+    Vector3d middle = Vector3d::Zero();
+    for (const int corner : topology::corner_nodes(mesh::Shape::quadrilateral, cell))
+      middle += mesh.surface.nodes[corner] / 4;
+    const bool is_inside = std::ranges::any_of(part.solids, [&](const TopoDS_Shape& solid) {
+      return BRepClass3d_SolidClassifier(solid, point_of(middle), 1e-9).State() == TopAbs_IN;
+    });
+    if (!is_inside)
+      throw PartError(
+          fmt::format("the middle of the sheet at face {} is outside of the solid, which is damaged or turned "
+                      "inside out; choose the faces of the shell: faces = [...]",
+                      face.number));
+  }
+}
+
+}  // namespace
+
+void move_to_middle(const PartFile& part, const JoinedPart& joined, SampledMesh& mesh) {
+  if (std::ranges::none_of(joined.labelled, [](const LabelledFace& face) { return face.thickness > 0; })) return;
   struct Condition {
     Vector3d normal;
     double distance;
   };
-  std::vector<std::vector<Condition>> conditions(mesh.nodes.size());
+  std::vector<std::vector<Condition>> conditions(mesh.surface.nodes.size());
   constexpr double one_normal = 1e-4;  // normals that differ by less are one
-  for (const SampledCell& cell : mesh.cells)
+  for (const topology::SurfaceCell& cell : mesh.surface.cells)
     for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
       auto& known = conditions[static_cast<std::size_t>(cell.nodes[k])];
       const Vector3d& n = cell.normals[k];
       if (std::ranges::none_of(known, [&](const Condition& c) { return (c.normal - n).norm() < one_normal; }))
-        known.push_back({n, thickness[static_cast<std::size_t>(cell.face) - 1] / 2});
+        known.push_back({n, joined.labelled[static_cast<std::size_t>(cell.region) - 1].thickness / 2});
     }
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const auto count = static_cast<Eigen::Index>(conditions[i].size());
@@ -274,8 +313,9 @@ void move_to_middle(SampledMesh& mesh, const std::vector<double>& thickness) {
     }
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(1e-3);
-    mesh.nodes[i] += svd.solve(distances);
+    mesh.surface.nodes[i] += svd.solve(distances);
   }
+  check_inside(part, joined, mesh);
 }
 
 }  // namespace plastron::cad

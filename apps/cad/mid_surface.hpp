@@ -3,23 +3,17 @@
 #pragma once
 #include "sampling.hpp"
 
-#include <string>
 #include <vector>
 
 namespace plastron::cad {
 
-/// A side of a thin solid.
-struct ThinSide {
-  std::vector<LabelledFace> faces;
-  double thickness = 0;  ///< distance of the opposite faces [mm]
-};
+/// The faces of a part with the faces of one side in the place of each thin solid, and their thickness. Returns all faces if no solid
+/// is thin. Throws PartError, with numbers of faces, for a solid that is thin in places and no sheet, and for a thick one beside
+/// thin ones.
+std::vector<LabelledFace> with_sides_of_sheets(const PartFile& part);
 
-/// The sides whose middles are the shell: one of each solid with pairs of opposite faces. Empty if no solid is thin. Throws
-/// PartError, with the faces, for a solid that is thin in part only and for branches.
-std::vector<ThinSide> thin_sides(const PartFile& part);
-
-/// Moves the nodes of a mesh of such sides by half of the thickness against their normals; where faces meet at an angle, to
-/// the place that has this distance from all of them. `thickness` by face of the joined part [mm].
-void move_to_middle(SampledMesh& mesh, const std::vector<double>& thickness);
+/// Moves the nodes on such sides by half of the thickness against the normals of the faces; where faces meet at an angle, to the
+/// place that has this distance from all of them. Throws PartError if this leaves the solids.
+void move_to_middle(const PartFile& part, const JoinedPart& joined, SampledMesh& mesh);
 
 }  // namespace plastron::cad

@@ -21,10 +21,11 @@ using Eigen::Vector3d;
 inline Vector3d vector_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 inline Vector3d vector_of(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 inline gp_Pnt point_of(const Vector3d& p) { return {p[0], p[1], p[2]}; }
+double volume_of(const TopoDS_Shape& shape);    ///< [mm^3]
 double area_of(const TopoDS_Shape& shape);      ///< [mm^2]
 double diagonal_of(const TopoDS_Shape& shape);  ///< of a box around it; throws PartError if there is nothing [mm]
 
-/// What a CAD file says of a face.
+/// Name and colour of a face in the CAD file.
 struct FaceLabel {
   std::string name{};    ///< empty: none
   std::string colour{};  ///< "#rrggbb", or empty
@@ -33,7 +34,8 @@ struct FaceLabel {
 struct LabelledFace {
   TopoDS_Face face;
   FaceLabel label{};
-  int number = 0;  ///< in the order of the file, from 1
+  int number = 0;        ///< in the order of the file, from 1
+  double thickness = 0;  ///< of the solid whose side it is; 0: the face itself is the shell [mm]
 };
 
 /// The faces of a file, in millimetres.
@@ -53,7 +55,8 @@ struct JoinedPart {
   std::vector<LabelledFace> labelled;       ///< of each face of the map
   double tolerance = 0;                     ///< edges nearer than this were made one [mm]
   int joined_edges = 0;                     ///< edges of two faces that were made one
-  int imprinted = 0;                        ///< edges that ended inside a face and divide it now
+  double lost_area = 0;                     ///< of faces that lie on others or are narrower than the tolerance [mm^2]
+  int imprinted = 0;                        ///< places where faces met without a common edge
 };
 
 /// Makes one edge of edges within the tolerance, and divides faces along edges that end inside them (T-joints).

@@ -29,7 +29,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -46,6 +49,14 @@ TopoDS_Shape result_of(const Handle(Transfer_TransientProcess) & process, const 
   return binder.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(binder);
 }
 
+/// A name as messages and mesh files can hold it: CAD programs write them in many encodings.
+std::string printable(std::string name) {
+  constexpr std::size_t longest = 120;
+  for (char& c : name)
+    if (c < ' ' || c > '~') c = '_';
+  return name.substr(0, longest);
+}
+
 void add_names(const STEPControl_Reader& reader, Labels& labels) {
   const auto process = reader.WS()->TransferReader()->TransientProcess();
   const auto model = reader.WS()->Model();
@@ -53,7 +64,7 @@ void add_names(const STEPControl_Reader& reader, Labels& labels) {
     const auto face = Handle(StepShape_FaceSurface)::DownCast(model->Value(i));
     if (face.IsNull() || face->Name().IsNull() || face->Name()->IsEmpty()) continue;
     const TopoDS_Shape shape = result_of(process, face);
-    if (!shape.IsNull()) labels[shared_shape(shape)].name = face->Name()->ToCString();
+    if (!shape.IsNull()) labels[shared_shape(shape)].name = printable(face->Name()->ToCString());
   }
 }
 
@@ -98,13 +109,14 @@ void add_faces(const TopoDS_Shape& shape, const Labels& labels, PartFile& part) 
   }
 }
 
-/// Multiplies all lengths.
+/// Multiplies all lengths. Faces and solids keep their order.
 void scale_by(double factor, const TopoDS_Shape& shape, PartFile& part) {
   gp_Trsf scale;
   scale.SetScaleFactor(factor);
-  BRepBuilderAPI_Transform scaled(shape, scale, true);
-  for (LabelledFace& face : part.faces) face.face = TopoDS::Face(scaled.ModifiedShape(face.face));
-  for (TopoDS_Shape& solid : part.solids) solid = scaled.ModifiedShape(solid);
+  PartFile scaled;
+  add_faces(BRepBuilderAPI_Transform(shape, scale, true).Shape(), {}, scaled);
+  for (std::size_t i = 0; i < part.faces.size(); ++i) part.faces[i].face = scaled.faces[i].face;
+  part.solids = std::move(scaled.solids);
 }
 
 /// Value of a unit of length that a STEP file names [mm].
@@ -181,6 +193,12 @@ double area_of(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
+double volume_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
 double diagonal_of(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::AddOptimal(shape, box, false, false);
@@ -189,7 +207,9 @@ double diagonal_of(const TopoDS_Shape& shape) {
 }
 
 PartFile read_part(const Job& job) {
-  PartFile part = job.part.ends_with(".brep") ? read_brep(job) : read_step(job);
+  std::string end = std::filesystem::path(job.part).extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  PartFile part = end == ".brep" ? read_brep(job) : read_step(job);
   if (part.faces.empty())
     throw PartError("it has no surfaces, only curves or points: a shell needs the faces of the part; export them, too");
   return part;

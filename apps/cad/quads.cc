@@ -2,47 +2,20 @@
 
 #include "edge_curve.hpp"
 
+#include <plastron/domain/gmsh_session.hpp>
 #include <plastron/facets/triangle_pairs.hpp>
 
 #include <TopoDS.hxx>
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 
 namespace plastron::cad {
 
 namespace {
-
-class GmshSession {
- public:
-  GmshSession() {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.AbortOnError", 1);
-    gmsh::option::setNumber("General.NumThreads", 1);
-    gmsh::logger::start();
-  }
-  ~GmshSession() {
-    gmsh::logger::stop();
-    gmsh::finalize();
-  }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-
-  static void check() {
-    constexpr std::string_view mark = "Error: ";
-    std::vector<std::string> log;
-    gmsh::logger::get(log);
-    for (const std::string& entry : log)
-      if (entry.starts_with(mark))
-        throw PartError(fmt::format("Gmsh cannot mesh its faces: {}", entry.substr(mark.size())));
-  }
-};
 
 /// Numbers of the edges that are curves of Gmsh. Both number the shapes in the order in which they find them; that an
 /// edge is where its curve is, is checked.
@@ -286,12 +259,13 @@ class QuadMaker {
 
 Quads quads_of(const JoinedPart& part, double size, const std::vector<SmallPlace>& small) {
   constexpr double side = 2.2;  // of triangles that become quadrilaterals with sides of about 1
-  const GmshSession session;
+  const domain::GmshSession session;
+  gmsh::option::setNumber("General.NumThreads", 1);
   try {
     gmsh::vectorpair entities;
     gmsh::model::occ::importShapesNativePointer(&part.shape, entities, false);
     gmsh::model::occ::synchronize();
-    GmshSession::check();
+    domain::GmshSession::check();
     // Each side is divided later, so that a circle then has twelve sides or more.
     gmsh::option::setNumber("Mesh.MinimumCircleNodes", 6);
     // Without a factor Gmsh takes no sides longer than a tenth of the diagonal.
@@ -310,7 +284,7 @@ Quads quads_of(const JoinedPart& part, double size, const std::vector<SmallPlace
       });
     gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 1);
     gmsh::model::mesh::generate(2);
-    GmshSession::check();
+    domain::GmshSession::check();
     return QuadMaker(part, triangles_in_gmsh(part, std::max(part.tolerance, 1e-6 * size))).make();
   } catch (const std::string& error) {  // Gmsh's own
     throw PartError(fmt::format("Gmsh cannot mesh its faces: {}", error));

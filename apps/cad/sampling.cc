@@ -2,6 +2,9 @@
 
 #include "edge_curve.hpp"
 
+#include <plastron/topology/surface_directors.hpp>
+#include <plastron/topology/surface_patch.hpp>
+
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -160,15 +163,6 @@ class FaceSurface {
   double centre_sign_ = 1;
 };
 
-/// Values of the Lagrange polynomials at equidistant nodes on [0, 1].
-std::vector<double> lagrange(int degree, double x) {
-  std::vector<double> values(static_cast<std::size_t>(degree) + 1, 1);
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; j <= degree; ++j)
-      if (j != i) values[i] *= (degree * x - j) / (i - j);
-  return values;
-}
-
 class Sampler {
  public:
   Sampler(const JoinedPart& part, const Quads& quads) : quads_(quads) {
@@ -181,17 +175,32 @@ class Sampler {
   }
 
   SampledMesh operator()(int degree) {
-    SampledMesh mesh{.degree = degree, .nodes = corners_, .cells = {}, .lines = {}};
+    SampledMesh mesh{.degree = degree, .surface = {.nodes = corners_, .cells = {}}, .lines = {}};
     sides_.clear();
+    set_tables(degree);
     for (const Quads::Line& line : quads_.lines) {
       mesh.lines.push_back({side_nodes(line.ends[0], line.ends[1], -1, mesh), line.edge});
-      measure_line(line, mesh.lines.back(), mesh);
+      measure_line(mesh.lines.back(), mesh);
     }
     for (const Quads::Cell& cell : quads_.cells) add_cell(cell, mesh);
     return mesh;
   }
 
  private:
+  void set_tables(int degree) {
+    constexpr auto square = mesh::Shape::quadrilateral;
+    steps_.clear();
+    for (int k = 0; k <= degree; ++k) steps_.push_back(static_cast<double>(k) / degree);
+    // Places between the nodes, in the first and the middle interval.
+    const int middle = degree / 2;
+    between_ = degree == 1 ? std::vector<double>{0.5} : std::vector<double>{0.5 / degree, (middle + 0.5) / degree};
+    std::vector<Vector2d> places;
+    for (const double y : between_)
+      for (const double x : between_) places.emplace_back(x, y);
+    at_nodes_ = mesh::lattice_table(square, degree, mesh::lattice(square, degree));
+    between_nodes_ = mesh::lattice_table(square, degree, std::move(places));
+  }
+
   static std::pair<int, int> key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
   const FaceSurface& surface(int face) const { return surfaces_[face - 1]; }
 
@@ -236,14 +245,14 @@ class Sampler {
   }
 
   /// Nodes from a to b: on an edge of the part at equal steps of its parameter, elsewhere below the straight line.
-  std::vector<int> side_nodes(int a, int b, int face, SampledMesh& mesh) {
+  std::vector<std::int32_t> side_nodes(int a, int b, int face, SampledMesh& mesh) {
     const auto [low, high] = key(a, b);
     auto [found, is_new] = sides_.try_emplace({low, high});
     std::vector<int>& inner = found->second;
     if (is_new) {
       const auto line = lines_.find({low, high});
       for (int k = 1; k < mesh.degree; ++k) {
-        const double s = static_cast<double>(k) / mesh.degree;
+        const double s = steps_[k];
         Vector3d at;
         if (line != lines_.end()) {
           const EdgeCurve& curve = curves_.at(line->second->edge);
@@ -253,11 +262,11 @@ class Sampler {
           const Vector2d from = parameters(face, low), to = surface(face).continued(parameters(face, high), from);
           at = surface(face).nearest((1 - s) * corners_[low] + s * corners_[high], (1 - s) * from + s * to).position;
         }
-        inner.push_back(static_cast<int>(mesh.nodes.size()));
-        mesh.nodes.push_back(at);
+        inner.push_back(static_cast<int>(mesh.surface.nodes.size()));
+        mesh.surface.nodes.push_back(at);
       }
     }
-    std::vector<int> nodes{low};
+    std::vector<std::int32_t> nodes{low};
     nodes.insert(nodes.end(), inner.begin(), inner.end());
     nodes.push_back(high);
     if (a != low) std::ranges::reverse(nodes);
@@ -277,8 +286,8 @@ class Sampler {
   void add_cell(const Quads::Cell& cell, SampledMesh& mesh) {
     const int q = mesh.degree, row = q + 1;
     const std::array<int, 4> corners = ordered(cell);
-    SampledCell sampled{
-        .nodes = std::vector<int>(static_cast<std::size_t>(row * row), -1), .normals = {}, .face = cell.face};
+    topology::SurfaceCell sampled{
+        .nodes = std::vector<std::int32_t>(static_cast<std::size_t>(row * row), -1), .order = q, .region = cell.face};
     const auto left = side_nodes(corners[0], corners[2], cell.face, mesh);
     const auto right = side_nodes(corners[1], corners[3], cell.face, mesh);
     const auto bottom = side_nodes(corners[0], corners[1], cell.face, mesh);
@@ -289,98 +298,72 @@ class Sampler {
       sampled.nodes[k] = bottom[k];
       sampled.nodes[q * row + k] = top[k];
     }
-    const auto at = [&](int node) -> const Vector3d& { return mesh.nodes[node]; };
+    const auto at = [&](int node) -> const Vector3d& { return mesh.surface.nodes[node]; };
     const Guess guess = guess_in(corners, cell.face);
     for (int j = 1; j < q; ++j)
       for (int i = 1; i < q; ++i) {
-        const double x = static_cast<double>(i) / q, y = static_cast<double>(j) / q;
+        const double x = steps_[i], y = steps_[j];
         const Vector3d blended = (1 - x) * at(left[j]) + x * at(right[j]) + (1 - y) * at(bottom[i]) + y * at(top[i]) -
                                  ((1 - x) * (1 - y) * at(corners[0]) + x * (1 - y) * at(corners[1]) +
                                   (1 - x) * y * at(corners[2]) + x * y * at(corners[3]));
-        sampled.nodes[j * row + i] = static_cast<int>(mesh.nodes.size());
-        mesh.nodes.push_back(surface(cell.face).nearest(blended, guess(x, y)).position);
+        sampled.nodes[j * row + i] = static_cast<int>(mesh.surface.nodes.size());
+        mesh.surface.nodes.push_back(surface(cell.face).nearest(blended, guess(x, y)).position);
       }
     const Vector3d middle = (at(corners[0]) + at(corners[1]) + at(corners[2]) + at(corners[3])) / 4;
     for (int j = 0; j <= q; ++j)
       for (int i = 0; i <= q; ++i)
-        sampled.normals.push_back(surface(cell.face).normal(
-            at(sampled.nodes[j * row + i]), guess(static_cast<double>(i) / q, static_cast<double>(j) / q), middle));
-    measure_cell(sampled, guess, mesh);
-    mesh.cells.push_back(std::move(sampled));
+        sampled.normals.push_back(
+            surface(cell.face).normal(at(sampled.nodes[j * row + i]), guess(steps_[i], steps_[j]), middle));
+    measure_shape(sampled, mesh);
+    measure_error(sampled, guess, mesh);
+    mesh.surface.cells.push_back(std::move(sampled));
   }
 
-  void measure_line(const Quads::Line& line, const SampledLine& sampled, SampledMesh& mesh) const {
+  void measure_line(const SampledLine& line, SampledMesh& mesh) const {
     const EdgeCurve& curve = curves_.at(line.edge);
-    for (const double s : between_nodes(mesh.degree)) {
-      const auto values = lagrange(mesh.degree, s);
+    for (const double s : between_) {
+      const auto values = mesh::lagrange(steps_, s).value;
       Vector3d at = Vector3d::Zero();
-      for (std::size_t k = 0; k < values.size(); ++k) at += values[k] * mesh.nodes[sampled.nodes[k]];
+      for (Eigen::Index k = 0; k < values.size(); ++k) at += values[k] * mesh.surface.nodes[line.nodes[k]];
       mesh.error.distance = std::max(mesh.error.distance, (curve.at(curve.nearest(at)) - at).norm());
     }
   }
 
-  /// Places between the nodes of a lattice, in the first and the middle interval.
-  static std::vector<double> between_nodes(int degree) {
-    if (degree == 1) return {0.5};
-    const int middle = degree / 2;
-    return {0.5 / degree, (middle + 0.5) / degree};
-  }
-
-  void measure_cell(const SampledCell& cell, const Guess& guess, SampledMesh& mesh) const {
-    const int q = mesh.degree, row = q + 1;
-    // Shape at the nodes.
-    std::vector<std::vector<double>> slopes;
-    for (int k = 0; k <= q; ++k) slopes.push_back(slope(q, static_cast<double>(k) / q));
+  /// Finds the worst shape at the nodes of a cell.
+  void measure_shape(const topology::SurfaceCell& cell, SampledMesh& mesh) const {
+    const topology::PatchPoints points = topology::patch_points(at_nodes_, mesh.surface, cell);
     double worst = 1;
-    for (int j = 0; j <= q; ++j)
-      for (int i = 0; i <= q; ++i) {
-        Vector3d a = Vector3d::Zero(), b = Vector3d::Zero();
-        for (int k = 0; k <= q; ++k) {
-          a += slopes[i][k] * mesh.nodes[cell.nodes[j * row + k]];
-          b += slopes[j][k] * mesh.nodes[cell.nodes[k * row + i]];
-        }
-        const double shape = a.cross(b).dot(cell.normals[j * row + i]) / std::max(a.norm() * b.norm(), 1e-300);
-        worst = std::min(worst, shape);
-        if (shape < mesh.worst_shape) {
-          mesh.worst_shape = shape;
-          mesh.worst_place = mesh.nodes[cell.nodes[j * row + i]];
-        }
+    for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
+      const double product = points.a1.row(n).norm() * points.a2.row(n).norm();
+      const double shape = product > 0 ? points.normal(n).dot(cell.normals[static_cast<std::size_t>(n)]) / product : 0;
+      worst = std::min(worst, shape);
+      if (shape < mesh.worst_shape) {
+        mesh.worst_shape = shape;
+        mesh.worst_place = points.phi.row(n);
       }
-    if (worst < fair_shape) {
-      const auto corner = [&](int i, int j) -> const Vector3d& { return mesh.nodes[cell.nodes[j * row + i]]; };
-      const double shortest = std::min({(corner(q, 0) - corner(0, 0)).norm(), (corner(q, q) - corner(0, q)).norm(),
-                                        (corner(0, q) - corner(0, 0)).norm(), (corner(q, q) - corner(q, 0)).norm()});
-      mesh.bad.push_back({worst, {(corner(0, 0) + corner(q, 0) + corner(0, q) + corner(q, q)) / 4, 0.7 * shortest}});
     }
-    for (const double y : between_nodes(q))
-      for (const double x : between_nodes(q)) {
-        const auto vx = lagrange(q, x), vy = lagrange(q, y);
-        Vector3d at = Vector3d::Zero(), normal = Vector3d::Zero();
-        for (int j = 0; j <= q; ++j)
-          for (int i = 0; i <= q; ++i) {
-            at += vy[j] * vx[i] * mesh.nodes[cell.nodes[j * row + i]];
-            normal += vy[j] * vx[i] * cell.normals[j * row + i];
-          }
-        const FacePoint there = surface(cell.face).nearest(at, guess(x, y));
-        mesh.error.distance = std::max(mesh.error.distance, (there.position - at).norm());
-        if (there.normal)
-          mesh.error.direction =
-              std::max(mesh.error.direction, std::atan2(normal.cross(*there.normal).norm(), normal.dot(*there.normal)));
-      }
+    if (worst >= fair_shape) return;
+    const auto corners = topology::corner_nodes(mesh::Shape::quadrilateral, cell);
+    const auto at = [&](int k) -> const Vector3d& { return mesh.surface.nodes[corners[k]]; };
+    const double shortest =
+        std::min({(at(1) - at(0)).norm(), (at(3) - at(2)).norm(), (at(2) - at(0)).norm(), (at(3) - at(1)).norm()});
+    mesh.bad.push_back({worst, {(at(0) + at(1) + at(2) + at(3)) / 4, 0.7 * shortest}});
   }
 
-  /// Derivatives of the Lagrange polynomials.
-  static std::vector<double> slope(int degree, double x) {
-    std::vector<double> values(static_cast<std::size_t>(degree) + 1, 0);
-    for (int i = 0; i <= degree; ++i)
-      for (int m = 0; m <= degree; ++m) {
-        if (m == i) continue;
-        double product = static_cast<double>(degree) / (i - m);
-        for (int j = 0; j <= degree; ++j)
-          if (j != i && j != m) product *= (degree * x - j) / (i - j);
-        values[i] += product;
-      }
-    return values;
+  /// Compares a cell with its face between its nodes.
+  void measure_error(const topology::SurfaceCell& cell, const Guess& guess, SampledMesh& mesh) const {
+    const topology::PatchPoints points = topology::patch_points(between_nodes_, mesh.surface, cell);
+    for (Eigen::Index p = 0; p < points.phi.rows(); ++p) {
+      Vector3d normal = Vector3d::Zero();
+      for (std::size_t n = 0; n < cell.normals.size(); ++n)
+        normal += between_nodes_.value(p, static_cast<Eigen::Index>(n)) * cell.normals[n];
+      const Vector3d at = points.phi.row(p);
+      const Vector2d& xi = between_nodes_.xi[static_cast<std::size_t>(p)];
+      const FacePoint there = surface(cell.region).nearest(at, guess(xi[0], xi[1]));
+      mesh.error.distance = std::max(mesh.error.distance, (there.position - at).norm());
+      if (there.normal)
+        mesh.error.direction = std::max(mesh.error.direction, topology::angle_between(normal, *there.normal));
+    }
   }
 
   const Quads& quads_;
@@ -388,7 +371,9 @@ class Sampler {
   std::map<int, EdgeCurve> curves_{};                          // by edge
   std::map<std::pair<int, int>, const Quads::Line*> lines_{};  // by ends, ascending
   std::vector<Vector3d> corners_{};
-  std::map<std::pair<int, int>, Vector2d> parameters_{};     // by face and corner
+  std::map<std::pair<int, int>, Vector2d> parameters_{};  // by face and corner
+  std::vector<double> steps_{}, between_{};               // on [0, 1]: nodes of a line, and places between them
+  mesh::LatticeTable at_nodes_{}, between_nodes_{};
   std::map<std::pair<int, int>, std::vector<int>> sides_{};  // inner nodes from the lower end to the higher one
 };
 

@@ -2,20 +2,15 @@
 #pragma once
 #include "quads.hpp"
 
-#include <map>
+#include <plastron/topology/space_mesh.hpp>
+
 #include <vector>
 
 namespace plastron::cad {
 
-struct SampledCell {
-  std::vector<int> nodes;         ///< on the lattice, xi_1 fastest
-  std::vector<Vector3d> normals;  ///< unit normals of the face there; they point to the side of a_1 x a_2
-  int face;                       ///< number in JoinedPart::faces
-};
-
 struct SampledLine {
-  std::vector<int> nodes;  ///< from end to end
-  int edge;                ///< number in JoinedPart::edges
+  std::vector<std::int32_t> nodes;  ///< from end to end
+  int edge;                         ///< number in JoinedPart::edges
 };
 
 /// How far the polynomials of the cells are from the part, at places between their nodes.
@@ -26,8 +21,7 @@ struct SamplingError {
 
 struct SampledMesh {
   int degree = 1;
-  std::vector<Vector3d> nodes;  ///< [mm]
-  std::vector<SampledCell> cells;
+  topology::SpaceMesh surface;  ///< [mm]; regions are numbers in JoinedPart::faces, normals those of the faces
   std::vector<SampledLine> lines;
   SamplingError error{};
   double worst_shape = 1;  ///< least sine of the angle between a_1 and a_2; negative: a cell folds over

@@ -28,6 +28,8 @@ using nlohmann::json;
 
 std::string number_name(const LabelledFace& face) { return fmt::format("face {}", face.number); }
 
+std::string edge_name(int edge) { return fmt::format("edge {}", edge); }
+
 /// Points of an edge, its ends among them.
 std::vector<gp_Pnt> points_of_edge(const TopoDS_Edge& edge) {
   constexpr int intervals = 8;
@@ -47,7 +49,7 @@ std::vector<gp_Pnt> points_of(const TopoDS_Shape& shape) {
   return points;
 }
 
-/// Whether an expression of X, Y, Z, in lengths of the case, holds at all points.
+/// Whether an expression of X, Y, Z, in lengths of the case with ten digits, holds at all points.
 class Where {
  public:
   Where(const std::string& text, const Job& job) : mm_(job.mm()) {
@@ -59,7 +61,11 @@ class Where {
   }
   bool operator()(const std::vector<gp_Pnt>& points) const {
     return !points.empty() && std::ranges::all_of(points, [&](const gp_Pnt& p) {
-      return expression_(geometry::Place{.X = p.X() / mm_, .Y = p.Y() / mm_, .Z = p.Z() / mm_}) != 0;
+      const double negligible = 1e-10 * vector_of(p).cwiseAbs().maxCoeff();
+      const auto rounded = [&](double c) {
+        return std::abs(c) <= negligible ? 0 : std::stod(fmt::format("{:.10g}", c / mm_));
+      };
+      return expression_(geometry::Place{.X = rounded(p.X()), .Y = rounded(p.Y()), .Z = rounded(p.Z())}) != 0;
     });
   }
 
@@ -77,8 +83,10 @@ double distance_to(const gp_Pnt& point, const TopoDS_Shape& shape) {
   return measured.IsDone() ? measured.Value() : HUGE_VAL;
 }
 
-/// The shapes nearest to a point, all that are at the same distance.
-std::vector<bool> nearest_of(const gp_Pnt& point, const std::vector<TopoDS_Shape>& shapes) {
+/// The shape nearest to a point, with its pieces, which have the same name. Throws PartError if others are as near.
+std::vector<bool> nearest_of(const json& at, double mm, const std::vector<TopoDS_Shape>& shapes,
+                             const std::vector<std::string>& names) {
+  const gp_Pnt point = point_in(at, mm);
   std::vector<double> distances;
   distances.reserve(shapes.size());
   for (const TopoDS_Shape& shape : shapes) distances.push_back(distance_to(point, shape));
@@ -86,6 +94,12 @@ std::vector<bool> nearest_of(const gp_Pnt& point, const std::vector<TopoDS_Shape
   std::vector<bool> is_nearest(shapes.size());
   std::transform(distances.begin(), distances.end(), is_nearest.begin(),
                  [&](double d) { return d <= least + rounding; });
+  std::set<std::string> found;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (is_nearest[i]) found.insert(names[i]);
+  if (found.size() > 1)
+    throw PartError(fmt::format("at = {} is as near to {}; give a place nearer to one of them", at.dump(),
+                                fmt::join(found, " as to ")));
   return is_nearest;
 }
 
@@ -143,8 +157,12 @@ std::vector<bool> select_faces(const json& selector, const std::vector<LabelledF
   if (selector.contains("at")) {
     std::vector<TopoDS_Shape> shapes;
     shapes.reserve(faces.size());
-    for (const LabelledFace& face : faces) shapes.push_back(face.face);
-    const auto is_nearest = nearest_of(point_in(selector["at"], job.mm()), shapes);
+    std::vector<std::string> names;
+    for (const LabelledFace& face : faces) {
+      shapes.push_back(face.face);
+      names.push_back(number_name(face));
+    }
+    const auto is_nearest = nearest_of(selector["at"], job.mm(), shapes, names);
     keep([&](std::size_t i) { return is_nearest[i]; });
   }
   return found;
@@ -191,15 +209,14 @@ std::vector<bool> select_edges(const json& selector, const JoinedPart& part, con
   keep([&](int i) { return !BRep_Tool::Degenerated(TopoDS::Edge(part.edges(i))); });
   const auto keep_names = [&](const json& names) {
     const auto texts = texts_of(names);
-    const auto name = [](int i) { return fmt::format("edge {}", i); };
     for (const std::string& text : texts) {
       bool is_known = false;
-      for (int i = 1; i <= part.edges.Extent(); ++i) is_known = is_known || name(i) == text;
+      for (int i = 1; i <= part.edges.Extent(); ++i) is_known = is_known || edge_name(i) == text;
       if (!is_known)
         throw PartError(
             fmt::format("it has no edge \"{}\"; it has \"edge 1\" to \"edge {}\"", text, part.edges.Extent()));
     }
-    keep([&](int i) { return std::ranges::find(texts, name(i)) != texts.end(); });
+    keep([&](int i) { return std::ranges::find(texts, edge_name(i)) != texts.end(); });
   };
   if (!selector.is_object()) {
     keep_names(selector);
@@ -220,8 +237,12 @@ std::vector<bool> select_edges(const json& selector, const JoinedPart& part, con
   }
   if (selector.contains("at")) {
     std::vector<TopoDS_Shape> shapes;
-    for (int i = 1; i <= part.edges.Extent(); ++i) shapes.push_back(part.edges(i));
-    const auto is_nearest = nearest_of(point_in(selector["at"], job.mm()), shapes);
+    std::vector<std::string> names;
+    for (int i = 1; i <= part.edges.Extent(); ++i) {
+      shapes.push_back(part.edges(i));
+      names.push_back(edge_name(i));
+    }
+    const auto is_nearest = nearest_of(selector["at"], job.mm(), shapes, names);
     keep([&](int i) { return is_nearest[i - 1]; });
   }
   return found;
@@ -261,15 +282,25 @@ PartNames names_of(const JoinedPart& part, const Job& job) {
   }
   for (std::size_t i = 0; i < taken.size(); ++i)
     if (!taken[i].empty()) names.regions[i] = taken[i];
+  for (const Selection& region : job.regions)
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (taken[i].empty() && names.regions[i] == region.name)
+        throw PartError(
+            fmt::format("the region \"{}\" has the name of another face; choose another name", region.name));
   const EdgeFaces edge_faces(part, names.regions);
-  for (int i = 1; i <= part.edges.Extent(); ++i) names.boundaries.push_back({fmt::format("edge {}", i)});
+  for (int i = 1; i <= part.edges.Extent(); ++i) names.boundaries.push_back({edge_name(i)});
   for (const Selection& boundary : job.boundaries) {
     const auto found = select_edges(boundary.selector, part, edge_faces, job);
     if (std::ranges::none_of(found, [](bool is_found) { return is_found; }))
       throw PartError(fmt::format("the boundary \"{}\" finds none of its {} edges; `plastron parts` lists them",
                                   boundary.name, part.edges.Extent()));
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (found[i]) names.boundaries[i].push_back(boundary.name);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const bool has_own_name = names.boundaries[i].front() == boundary.name;
+      if (has_own_name && !found[i])
+        throw PartError(
+            fmt::format("the boundary \"{}\" has the name of another edge; choose another name", boundary.name));
+      if (found[i] && !has_own_name) names.boundaries[i].push_back(boundary.name);
+    }
   }
   return names;
 }

@@ -1,5 +1,5 @@
-// Reads what a case says of a CAD file: which faces are the shell, and names for faces and edges. The program plastron-cad
-// obeys it (apps/cad/job.hpp).
+// Reads the keys of a CAD file: the faces that are the shell, and names for faces and edges. They become the job of the program
+// plastron-cad (apps/cad/job.hpp).
 #include <plastron/config/nearest.hpp>
 #include <plastron/config/sections.hpp>
 
@@ -12,8 +12,9 @@ using nlohmann::json;
 std::vector<Key> conditions(const char* things) {
   return {key("name", Kind::name_or_names, {}, fmt::format("names of {}", things)),
           key("where", Kind::text, {.example = "\"Z > 10\""},
-              fmt::format("a condition in X, Y, Z, in lengths of the case, that holds on all of the {}", things)),
-          key("at", Kind::vector, {.unit = "m"}, "a point: what is nearest to it"),
+              fmt::format("a condition in X, Y, Z, in lengths of the case, that holds on the whole outline of the {}",
+                          things)),
+          key("at", Kind::vector, {.unit = "m"}, fmt::format("a point, to which the {} are nearest", things)),
           key("colour", Kind::text, {.example = "\"#ff0000\""}, "of faces: their colour in the file")};
 }
 
@@ -55,7 +56,15 @@ void read_colour(Table& table, json& selector) {
   selector["colour"] = *colour;
 }
 
-/// Reads a selector: a name, a list of names, or a table of conditions, which must all hold.
+void read_conditions_of_edges(Table& table, json& selector) {
+  for (const char* key : {"between", "of"})
+    if (table.has(key))
+      if (const auto names = table.name_list(key, "face or region", {})) selector[key] = *names;
+  if (table.has("free"))
+    if (const auto free = table.boolean("free")) selector["free"] = *free;
+}
+
+/// Reads a selector of `things`, faces or edges: a name, a list of names, or a table of conditions, which must all hold.
 json read_selector(Table& parent, const std::string& name, const char* things) {
   const auto given = parent.value(name);
   if (!given) return {};
@@ -65,18 +74,18 @@ json read_selector(Table& parent, const std::string& name, const char* things) {
   }
   json selector = json::object();
   parent.in_table(name, [&](Table& table) {
-    for (const char* key : {"name", "between", "of"})
-      if (table.has(key))
-        if (const auto names = table.name_list(key, things, {})) selector[key] = *names;
-    read_condition(table, selector);
-    read_colour(table, selector);
-    if (table.has("at"))
-      if (const auto at = table.vector("at")) selector["at"] = {(*at)[0], (*at)[1], (*at)[2]};
-    if (table.has("free"))
-      if (const auto free = table.boolean("free")) selector["free"] = *free;
-    if (selector.empty())
+    if (given->as_table().empty())
       table.report_here(fmt::format("{} has no condition", name), "name, where, at and others",
                         "add for example where = \"Z > 10\"");
+    if (table.has("name"))
+      if (const auto names = table.name_list("name", things, {})) selector["name"] = *names;
+    read_condition(table, selector);
+    if (table.has("at"))
+      if (const auto at = table.vector("at")) selector["at"] = {(*at)[0], (*at)[1], (*at)[2]};
+    if (name == "edges")
+      read_conditions_of_edges(table, selector);
+    else
+      read_colour(table, selector);
   });
   return selector;
 }
@@ -133,6 +142,10 @@ void read_named_edges(Table& root) {
     boundary.require("edges");
     if (!boundary.has("edges")) return;
     json selector = read_selector(boundary, "edges", "edge");
+    for (const json& known : root.reading().part.value("boundaries", json::array()))
+      if (name && known["name"] == *name)
+        boundary.report("name", fmt::format("two [[boundary]] are named \"{}\"", *name), "",
+                        "write one with a list of names, or choose another name");
     if (name) root.reading().part["boundaries"].push_back({{"name", *name}, {"selector", std::move(selector)}});
   });
 }
@@ -156,6 +169,7 @@ void complete_part(Table& root, problem::Problem& problem) {
   if (file->in_space->tolerance) job["tolerance"] = *file->in_space->tolerance;
   if (const auto& thickness = problem.shell.sections.common.thickness; thickness.is_constant())
     job["thickness"] = thickness(0, 0);
+  if (file->in_space->offset.part != 0) job["offset"] = file->in_space->offset.part;
   for (const auto& [name, value] : root.reading().constants) job["constants"][name] = value;
   file->cad_job = job.dump();
 }

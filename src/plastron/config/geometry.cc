@@ -132,12 +132,15 @@ std::vector<Section> geometry_sections() {
             "outwards, that of others to the side of most cells of the file"),
         key("smooth", &SpaceReading::smooth_angle, &Table::angle_or_none,
             {.kind = Kind::number, .unit = "degrees", .range = Range::between(0, 170)},
-            "cells that meet at a smaller angle are smooth there, others are a fold. If not given: 10 for cells of "
-            "order 2 or more, 30 for facets and other cells with straight sides"),
+            "cells that meet at a smaller angle are smooth there, others are a fold. If not given: 1 for CAD files, 10 "
+            "for cells "
+            "of order 2 or more, 30 for facets and other cells with straight sides"),
         key("folds", &SpaceReading::folds, {.fallback = "[]"}, "names of curves that are folds, whatever their angle"),
         key("tolerance", &SpaceReading::tolerance, &Table::number_or_none,
             {.kind = Kind::number, .unit = "m", .range = Range::positive()},
-            "nodes nearer to each other than this are one node. If not given: 1e-9 of the extent"),
+            "nodes, and edges of a CAD file, nearer to each other than this are one. If not given: 1e-9 of the extent, "
+            "for CAD "
+            "files 1e-6"),
         key("offset", Kind::number, {.fallback = "0", .range = Range::between(-1, 1)},
             "distance of the mid-surface from the surface of the file along a3, as a part of the thickness: 0.5 if the "
             "file is the lower face, -0.5 if it is the upper one. Only without folds"),

@@ -85,7 +85,7 @@ struct MeshFile {
   std::string path;
   std::optional<SpaceReading>
       in_space{};         ///< set if the cells are the mid-surface; else they lie in the plane of Omega
-  std::string cad_job{};  ///< of a CAD file: what plastron-cad is asked for, as JSON (apps/cad/job.hpp)
+  std::string cad_job{};  ///< of a CAD file: the job of plastron-cad, as JSON (apps/cad/job.hpp)
   std::shared_ptr<const FrozenMesh> frozen{};  ///< of a CAD file, if already made (with_shared_mesh, or kept results)
   /// Mesh if already read (with_shared_mesh); otherwise coarse_mesh() reads the file.
   std::shared_ptr<const mesh::CoarseMesh> mesh{};

@@ -111,6 +111,13 @@ std::optional<ElementType> element_type(std::int64_t number) {
   return {};
 }
 
+int element_number(ElementFamily family, int order) {
+  const auto found = std::ranges::find_if(plane_types, [&](const Numbered& n) {
+    return n.family == family && n.is_complete && order >= n.order && order - n.order <= n.last - n.first;
+  });
+  return found->first + order - found->order;
+}
+
 std::vector<std::size_t> lattice_places(mesh::Shape shape, int order) {
   std::vector<Place> places;
   if (shape == mesh::Shape::triangle)

@@ -40,6 +40,9 @@ struct ElementType {
 /// unknown numbers.
 std::optional<ElementType> element_type(std::int64_t number);
 
+/// Returns the number of the complete element of an order from 1 to 10.
+int element_number(ElementFamily family, int order);
+
 /// Returns the index on lattice(shape, order) of each of Gmsh's nodes of a complete element.
 std::vector<std::size_t> lattice_places(mesh::Shape shape, int order);
 
@@ -70,7 +73,7 @@ struct MeshData {
   std::map<std::pair<int, int>, std::string> names{};            ///< name by (dimension, group)
   /// Unit normals of the surface at nodes, given by the file: one entry for each node, or none at all.
   std::vector<std::optional<Eigen::Vector3d>> normals{};
-  /// Normals of the surface at the nodes of each element, as `element_nodes`; zero where there are none. Empty: none at all.
+  /// Normals of the surface at the nodes of each element, as `element_nodes`; zero: not given. Empty if the file gives no normals.
   std::vector<Eigen::Vector3d> element_normals{};
   std::map<std::string, std::vector<std::int64_t>> point_sets{};  ///< named points: indices into `nodes`
   std::vector<std::string> notes{};     ///< for the user: contents of the file that are not read, one sentence each

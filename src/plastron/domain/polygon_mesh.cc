@@ -1,49 +1,19 @@
 // Polygons, meshed by Gmsh through its geometry interface. Gmsh never opens a file here, because it would execute
 // scripts (docs/decisions/0008-mesh-files.md).
 #include <plastron/domain/domain_mesh.hpp>
+#include <plastron/domain/gmsh_session.hpp>
 #include <plastron/domain/mesh_data.hpp>
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string_view>
 
 namespace plastron::domain {
 
 namespace {
 
 using Eigen::Vector3d;
-
-/// Gmsh's single global state for the duration of one meshing: silent, without the user's settings and start-up
-/// files. An error ends the meshing and is logged. Gmsh can throw errors instead, but not out of its parallel regions:
-/// that would end the process.
-class GmshSession {
- public:
-  GmshSession() {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.AbortOnError", 1);
-    gmsh::logger::start();
-  }
-  ~GmshSession() {
-    gmsh::logger::stop();
-    gmsh::finalize();
-  }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-
-  /// Throws the first error since the session began.
-  static void check() {
-    constexpr std::string_view mark = "Error: ";
-    std::vector<std::string> log;
-    gmsh::logger::get(log);
-    for (const std::string& entry : log)
-      if (entry.starts_with(mark)) throw std::runtime_error(entry.substr(mark.size()));
-  }
-};
 
 /// Adds the elements of the entities of one dimension; each entity's number is its group.
 void add_elements(int dimension, MeshData& data) {

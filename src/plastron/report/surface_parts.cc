@@ -22,6 +22,22 @@ const Vector3d& place(const topology::SpaceMesh& mesh, std::int32_t node) {
 /// Returns the vector with 0 for components below a limit.
 Vector3d cleared(const Vector3d& v, double limit) { return (v.array().abs() < limit).select(0, v); }
 
+/// Length of the polynomial through points at equal steps of its parameter.
+double length_of(const std::vector<Vector3d>& points) {
+  const std::size_t order = points.size() - 1;
+  std::vector<double> nodes;
+  for (std::size_t k = 0; k <= order; ++k) nodes.push_back(static_cast<double>(k) / static_cast<double>(order));
+  const mesh::Rule rule = mesh::gauss(static_cast<int>(order) + 2);
+  double length = 0;
+  for (std::size_t p = 0; p < rule.points.size(); ++p) {
+    const auto slopes = mesh::lagrange(nodes, rule.points[p]).d;
+    Vector3d tangent = Vector3d::Zero();
+    for (std::size_t k = 0; k <= order; ++k) tangent += slopes[static_cast<Eigen::Index>(k)] * points[k];
+    length += rule.weights[p] * tangent.norm();
+  }
+  return length;
+}
+
 void add_edge(const topology::SurfaceTopology& topology, std::size_t index, CurvePart& curve) {
   const topology::SurfaceEdge& edge = topology.edges[index];
   curve.edges.push_back(index);
@@ -30,12 +46,13 @@ void add_edge(const topology::SurfaceTopology& topology, std::size_t index, Curv
   const mesh::MeshEdge& side = topology.sides[edge.first_side];
   const auto& nodes = topology.mesh.cells[side.cell].nodes;
   const std::vector<int> places = topology::ascending_places(topology.mesh, side);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto at = [&](std::size_t k) { return place(topology.mesh, nodes[static_cast<std::size_t>(places[k])]); };
-    curve.low = curve.low.cwiseMin(at(i));
-    curve.high = curve.high.cwiseMax(at(i));
-    if (i > 0) curve.length += (at(i) - at(i - 1)).norm();
+  std::vector<Vector3d> points;
+  for (const int at : places) {
+    points.push_back(place(topology.mesh, nodes[static_cast<std::size_t>(at)]));
+    curve.low = curve.low.cwiseMin(points.back());
+    curve.high = curve.high.cwiseMax(points.back());
   }
+  curve.length += length_of(points);
 }
 
 /// Adds "fold 1", "fold 2", ..., whose names and edges are those of the coarse mesh. An edge there has as many entries

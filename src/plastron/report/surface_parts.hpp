@@ -29,7 +29,7 @@ struct CurvePart {
   bool is_in_file = true;              ///< whether the name stands in the file; else the program gives it
   std::vector<std::size_t> edges{};    ///< indices of SurfaceTopology::edges
   std::array<std::size_t, 4> kinds{};  ///< number of edges by EdgeKind
-  double length = 0;                   ///< of the polygon through the nodes [m]
+  double length = 0;                   ///< of the polynomials of its edges [m]
   double largest_angle = 0;            ///< between the cells at an edge [rad]
   Eigen::Vector3d low = Eigen::Vector3d::Constant(HUGE_VAL), high = -low;  ///< bounding box [m]
   bool has_name() const { return !name.starts_with('('); }
