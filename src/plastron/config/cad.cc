@@ -153,7 +153,7 @@ void read_named_edges(Table& root) {
 void complete_part(Table& root, problem::Problem& problem) {
   auto* file = std::get_if<domain::MeshFile>(&problem.domain);
   if (!file || !file->in_space || !domain::is_cad_file(file->path)) return;
-  json job = root.reading().part.is_null() ? json::object() : root.reading().part;
+  json job = root.reading().part;
   const problem::UnitNames& units = problem.output.units;
   const auto length = units.in_SI(0, 1);
   if (!length) {

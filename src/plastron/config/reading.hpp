@@ -38,7 +38,7 @@ struct Reading {
   geometry::Constants constants{};
   std::map<std::string, std::optional<NamedMaterial>> materials{};  ///< by name; empty: the material is wrong
   std::vector<std::string> later_constants{};                       ///< constants below the one being read
-  nlohmann::json part{};                                            ///< of a CAD file: faces, regions, boundaries
+  nlohmann::json part = nlohmann::json::object();                   ///< of a CAD file: faces, regions, boundaries
   bool constants_complete =
       true;  ///< false: some constant is wrong and is NaN; mistakes that follow from it are not reported
   std::vector<Mistake> mistakes{};
