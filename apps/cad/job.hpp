@@ -19,7 +19,8 @@ struct PartError : std::runtime_error {
 /// A name of the case for faces or edges.
 struct Selection {
   std::string name;
-  nlohmann::json selector;  ///< a name, a list of names, or conditions that all must hold
+  nlohmann::json selector;            ///< a name, a list of names, or conditions that all must hold
+  std::optional<double> thickness{};  ///< of a region of the shell, if it is one number, in the case's unit
 };
 
 struct Job {

@@ -1,6 +1,7 @@
 #include "part.hpp"
 
 #include <BOPAlgo_Builder.hxx>
+#include <BOPTools_AlgoTools.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -10,6 +11,7 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom_Surface.hxx>
+#include <IntTools_Context.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <ShapeUpgrade_ShapeDivideContinuity.hxx>
 #include <TopExp.hxx>
@@ -48,8 +50,12 @@ JoinedPart labelled(const TopoDS_Shape& shape, const std::vector<LabelledFace>& 
   for (const LabelledFace& old : before)
     successors(old.face, [&](const TopoDS_Shape& now) {
       if (const int i = part.faces.FindIndex(now); i > 0) {
+        const TopoDS_Face face = TopoDS::Face(part.faces(i));
+        // Open CASCADE may turn faces; what is moved to the middle needs its normal.
+        const bool is_turned =
+            old.to_middle > 0 && BOPTools_AlgoTools::IsSplitToReverse(face, old.face, new IntTools_Context());
         part.labelled[i - 1] = old;
-        part.labelled[i - 1].face = TopoDS::Face(part.faces(i));
+        part.labelled[i - 1].face = is_turned ? TopoDS::Face(face.Reversed()) : face;
       }
     });
   return part;
@@ -67,8 +73,10 @@ std::vector<LabelledFace> divided_at_kinks(const std::vector<LabelledFace>& face
     division.SetSurfaceCriterion(GeomAbs_C1);
     division.SetTolerance(BRep_Tool::Tolerance(face.face));
     division.Perform();
-    for (TopExp_Explorer part(division.Result(), TopAbs_FACE); part.More(); part.Next())
-      divided.push_back({TopoDS::Face(part.Current()), face.label, face.number, face.thickness});
+    for (TopExp_Explorer part(division.Result(), TopAbs_FACE); part.More(); part.Next()) {
+      divided.push_back(face);
+      divided.back().face = TopoDS::Face(part.Current());
+    }
   }
   return divided;
 }

@@ -47,7 +47,7 @@ double size_of(const JoinedPart& part, const Job& job) {
 /// A mesh without folded cells. Cells that are larger than the features of the part fold over, and Gmsh does not say so: smaller
 /// ones are tried there. Where edges of a face are tangent to each other, no mesh is good: there the best one is taken.
 SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
-  constexpr double possible = 1e-5, smaller = 0.7;
+  constexpr double smaller = 0.7;
   constexpr int tries = 8;
   std::string mistake;
   std::optional<Quads> best;
@@ -63,14 +63,14 @@ SampledMesh meshed(const JoinedPart& part, double size, bool is_given) {
         best = std::move(quads);
       }
       // A cell between edges that are tangent to each other is flat, however small it is.
-      if (best_shape > (k == 0 ? fair_shape : possible)) break;
+      if (best_shape > (k == 0 ? fair_shape : least_shape)) break;
       for (const SampledMesh::BadCell& cell : mesh.bad)
-        if (k == 0 || cell.shape <= possible) small.push_back(cell.remedy);
+        if (k == 0 || cell.shape <= least_shape) small.push_back(cell.remedy);
     } catch (const PartError& error) {
       mistake = error.what();
       size *= smaller;
     }
-  if (best && best_shape > possible) {
+  if (best && best_shape > least_shape) {
     const double diagonal = diagonal_of(part.shape);
     SampledMesh mesh = sampled(part, *best, diagonal);
     constexpr double farthest = 1e-3;
@@ -123,32 +123,49 @@ std::vector<std::string> notes_of(const std::string& unit, std::size_t faces, co
   return notes;
 }
 
-/// Tells each thickness of sheets once, and where that of the case differs.
-void add_notes_on_thickness(const JoinedPart& part, const Job& job, std::vector<std::string>& notes) {
+/// Thickness of a region in the case, if it is one number [mm].
+std::optional<double> thickness_of(const std::string& region, const Job& job) {
+  const auto own = std::ranges::find(job.regions, region, &Selection::name);
+  const auto thickness = own == job.regions.end() ? job.thickness : own->thickness;
+  return thickness ? std::optional(*thickness * job.mm()) : std::nullopt;
+}
+
+/// Tells each thickness of sheets once, and each that differs from the thickness of its region in the case.
+void add_notes_on_thickness(const JoinedPart& part, const PartNames& names, std::size_t solids, const Job& job,
+                            std::vector<std::string>& notes) {
   constexpr double same = 0.01;
-  std::map<double, int> faces;  // by thickness
-  for (const LabelledFace& face : part.labelled)
-    if (face.thickness > 0) {
-      const auto known = std::ranges::find_if(
-          faces, [&](const auto& f) { return std::abs(f.first - face.thickness) <= same * f.first; });
-      ++(known == faces.end() ? faces[face.thickness] : known->second);
-    }
-  for (const auto& [thickness, count] : faces) {
-    const double e = thickness / job.mm();
-    notes.push_back(
-        fmt::format("{} of the faces are one side of a sheet of {:.6g} m; the shell is its middle", count, e));
-    if (job.offset != 0)
-      notes.push_back(
-          fmt::format("warning: offset = {:g} moves the shell away from the middle of the sheet", job.offset));
-    if (job.thickness && std::abs(*job.thickness - e) > same * e)
-      notes.push_back(fmt::format("warning: the solid is {:.6g} m thick, and [shell] has the thickness {:.6g} m", e,
-                                  *job.thickness));
+  std::map<double, std::set<int>> faces;                       // numbers by thickness
+  std::map<std::pair<std::string, double>, std::string> told;  // by thickness of the solid and of the case
+  for (std::size_t i = 0; i < part.labelled.size(); ++i) {
+    const LabelledFace& face = part.labelled[i];
+    if (face.thickness == 0) continue;
+    const auto known = std::ranges::find_if(
+        faces, [&](const auto& f) { return std::abs(f.first - face.thickness) <= same * f.first; });
+    (known == faces.end() ? faces[face.thickness] : known->second).insert(face.number);
+    const auto given = thickness_of(names.regions[i], job);
+    if (given && std::abs(*given - face.thickness) > same * face.thickness)
+      told.emplace(std::pair(fmt::format("{:.6g}", face.thickness / job.mm()), *given / job.mm()),
+                   fmt::format("face {}", face.number));
   }
+  for (const auto& [thickness, numbers] : faces)
+    notes.push_back(fmt::format("{} of the faces are one side of a sheet of {:.6g} m; the shell is its middle",
+                                numbers.size(), thickness / job.mm()));
+  if (!faces.empty() && job.offset != 0)
+    notes.push_back(
+        fmt::format("warning: offset = {:g} moves the shell away from the middle of the sheet", job.offset));
+  for (const auto& [thicknesses, face] : told)
+    notes.push_back(
+        fmt::format("warning: the solid is {} m thick at {}, and the shell has the thickness {:.6g} m there",
+                    thicknesses.first, face, thicknesses.second));
+  if (faces.empty() && solids > 0)
+    notes.push_back(
+        "warning: no solid of the file is a sheet of one thickness, and the shell is their skin; if this is not meant, "
+        "choose faces = [...], or export the mid-surface");
 }
 
 /// The volume of sheets is the area of their middles times their thickness, unless their rims are round or slanted.
-void add_note_on_volume(const PartFile& file, const JoinedPart& part, const SampledMesh& mesh, const Job& job,
-                        std::vector<std::string>& notes) {
+void add_note_on_volume(const PartFile& file, const JoinedPart& part, const SampledMesh& mesh, double overlap,
+                        const Job& job, std::vector<std::string>& notes) {
   constexpr double allowed = 0.01;
   const auto integrals = topology::patch_integrals(mesh.surface, Vector3d::Zero());
   double of_middles = 0, of_solids = 0;
@@ -156,12 +173,13 @@ void add_note_on_volume(const PartFile& file, const JoinedPart& part, const Samp
     of_middles +=
         integrals[c].area * part.labelled[static_cast<std::size_t>(mesh.surface.cells[c].region) - 1].thickness;
   if (of_middles == 0) return;
+  of_middles -= overlap;
   for (const TopoDS_Shape& solid : file.solids) of_solids += volume_of(solid);
   const double cubic = std::pow(job.mm(), 3);
   if (std::abs(of_middles - of_solids) > allowed * of_solids)
     notes.push_back(
         fmt::format("warning: area times thickness of the middle is {:.6g} m^3, and the volume of the solid is "
-                    "{:.6g} m^3: its rims are round, chamfered or slanted, and the shell ends elsewhere",
+                    "{:.6g} m^3: round, chamfered or slanted rims, or fillets, are not in the shell",
                     of_middles / cubic, of_solids / cubic));
 }
 
@@ -169,7 +187,8 @@ void mesh_part(const Job& job, const std::string& path) {
   PartFile file = read_part(job);
   const std::size_t faces = file.faces.size();
   const bool takes_middles = job.faces.is_null() && !job.takes_skins;
-  file.faces = takes_middles ? with_sides_of_sheets(file) : chosen_faces(file, job);
+  const SheetSides sides = takes_middles ? with_sides_of_sheets(file) : SheetSides{.faces = chosen_faces(file, job)};
+  file.faces = sides.faces;
   const JoinedPart part = joined(file, job.tolerance ? std::optional(*job.tolerance * job.mm()) : std::nullopt);
   const PartNames names = names_of(part, job);
   const double size = size_of(part, job);
@@ -177,8 +196,11 @@ void mesh_part(const Job& job, const std::string& path) {
   std::vector<std::string> notes = notes_of(file.unit, faces, part, mesh, size, job);
   if (takes_middles) {
     move_to_middle(file, part, mesh);
-    add_notes_on_thickness(part, job, notes);
-    add_note_on_volume(file, part, mesh, job, notes);
+    if (sides.joints > 0)
+      notes.push_back(
+          fmt::format("at {} edges ribs were extended to the middle of the sheet that they meet", sides.joints));
+    add_notes_on_thickness(part, names, file.solids.size(), job, notes);
+    add_note_on_volume(file, part, mesh, sides.overlap, job, notes);
   }
   write_mesh(path, mesh, names, job.mm(), notes);
 }
@@ -233,7 +255,9 @@ Job read_job(const std::string& part, const std::string& text) {
   if (json.contains("faces")) job.faces = json["faces"];
   const auto selections = [&](const char* key, std::vector<Selection>& all) {
     if (json.contains(key))
-      for (const auto& one : json[key]) all.push_back({one.at("name").get<std::string>(), one.at("selector")});
+      for (const auto& one : json[key])
+        all.push_back({one.at("name").get<std::string>(), one.at("selector"),
+                       one.contains("thickness") ? std::optional(one["thickness"].get<double>()) : std::nullopt});
   };
   if (json.contains("constants"))
     for (const auto& [name, value] : json["constants"].items()) job.constants.emplace_back(name, value.get<double>());

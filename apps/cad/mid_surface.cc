@@ -1,13 +1,20 @@
 #include "mid_surface.hpp"
 
+#include "ribs.hpp"
+
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepClass_FaceClassifier.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -25,6 +32,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace plastron::cad {
 
@@ -75,6 +83,20 @@ struct Opposite {
   double share = 0;       ///< of the places that have this distance
 };
 
+/// An edge at which a face of a sheet ends on another sheet, or on a fillet between both.
+struct Joint {
+  int face;          ///< that ends there
+  TopoDS_Edge edge;  ///< with its orientation in the face
+  int target;        ///< a face of the other sheet
+};
+
+/// Two sides whose faces lie opposite to each other.
+struct Sheet {
+  std::vector<int> faces;  ///< of the side that is meshed
+  double thickness = 0;
+  bool is_whole = true;  ///< whether no other sheet interrupts this side
+};
+
 /// The faces of one solid.
 class Solid {
  public:
@@ -83,45 +105,36 @@ class Solid {
     TopExp::MapShapes(shape, TopAbs_FACE, map_);
     for (std::size_t i = 0; i < faces_.size(); ++i) index_[map_.FindIndex(faces_[i].face)] = static_cast<int>(i);
     for (const LabelledFace& face : faces_) opposite_.push_back(behind(face.face));
+    size_ = diagonal_of(shape);
+    find_neighbours(shape);
     find_skins();
-    connect(shape);
+    find_joints();
+    find_sides();
   }
 
   bool is_thin() const { return std::ranges::count(is_skin_, true) > 0; }
 
-  /// The side that is meshed, with its thickness. Throws PartError.
-  std::vector<LabelledFace> side() const {
-    // A side has its opposite faces on one other side.
-    std::map<int, std::set<int>> partners;
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (is_skin_[i])
-        for (const int other : opposite_[i].faces)
-          if (is_skin_[other]) partners[component_[i]].insert(component_[other]);
-    if (partners.size() != 2 ||
-        std::ranges::any_of(partners, [](const auto& p) { return p.second.size() != 1 || p.second.contains(p.first); }))
-      throw PartError(
-          "a solid is thin in places, but it is no sheet with two sides: it branches, or is thick elsewhere; choose "
-          "the "
-          "faces of the shell: faces = [...] with offset = 0.5, export the mid-surface from the CAD program, or take "
-          "the "
-          "skin: solids = \"faces\"");
+  /// The faces that are meshed, with their thickness. Throws PartError.
+  SheetSides sides() const {
+    const std::vector<Sheet> sheets = this->sheets();
     check_rims();
-    std::map<int, double> areas;
-    for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (is_skin_[i]) areas[component_[i]] += area_of(faces_[i].face);
-    const auto larger = std::ranges::max_element(areas, {}, [](const auto& entry) { return entry.second; })->first;
-    std::vector<LabelledFace> side;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      if (!is_skin_[i] || component_[i] != larger) continue;
-      side.push_back(faces_[i]);
-      side.back().thickness = opposite_[i].distance;
-      if (std::abs(side.back().thickness - side.front().thickness) > same * side.front().thickness)
-        throw PartError(
-            fmt::format("face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one thickness: "
-                        "choose the faces: faces = [...]",
-                        faces_[i].number, side.back().thickness, side.front().thickness));
-    }
-    return side;
+    SheetSides result;
+    for (const Sheet& sheet : sheets)
+      for (const int i : sheet.faces) {
+        LabelledFace face = faces_[i];
+        face.thickness = sheet.thickness;
+        if (std::abs(opposite_[i].distance - sheet.thickness) > same * sheet.thickness)
+          throw PartError(fmt::format(
+              "face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one thickness: "
+              "choose the faces: faces = [...]",
+              face.number, opposite_[i].distance, sheet.thickness));
+        if (sheet.is_whole && (sheets.size() == 1 || !is_plane(sheet)))
+          face.to_middle = sheet.thickness / 2;
+        else
+          extend(i, sheets, face, result);
+        result.faces.push_back(std::move(face));
+      }
+    return result;
   }
 
  private:
@@ -166,39 +179,246 @@ class Solid {
     for (std::size_t i = 0; i < faces_.size(); ++i)  // a face that is opposite to itself goes round a bar
       is_skin_[i] = opposite_[i].share >= most && !opposite_[i].faces.contains(static_cast<int>(i)) &&
                     opposite_[i].distance < slender * std::sqrt(area_of(faces_[i].face));
-  }
-
-  /// Adds neighbours with the same distance, such as fillets, and finds the connected sides.
-  void connect(const TopoDS_Shape& shape) {
-    TopTools_IndexedDataMapOfShapeListOfShape faces_of;
-    TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-    std::vector<std::pair<int, int>> neighbours;
-    for (int e = 1; e <= faces_of.Extent(); ++e) {
-      std::vector<int> there;
-      for (const TopoDS_Shape& face : faces_of(e))
-        if (const auto found = index_.find(map_.FindIndex(face)); found != index_.end()) there.push_back(found->second);
-      for (std::size_t k = 1; k < there.size(); ++k) neighbours.emplace_back(there[0], there[k]);
-    }
+    // Neighbours with the same distance, such as fillets.
     for (bool is_changed = true; is_changed;) {
       is_changed = false;
-      for (const auto& [a, b] : neighbours)
-        for (const auto& [known, other] : {std::pair(a, b), std::pair(b, a)})
+      for (const Neighbours& n : neighbours_)
+        for (const auto& [known, other] : {std::pair(n.a, n.b), std::pair(n.b, n.a)})
           if (is_skin_[known] && !is_skin_[other] && opposite_[other].distance > 0 &&
               std::abs(opposite_[other].distance - opposite_[known].distance) <= same * opposite_[known].distance) {
             is_skin_[other] = true;
             is_changed = true;
           }
     }
-    component_.resize(faces_.size());
-    std::iota(component_.begin(), component_.end(), 0);
+  }
+
+  struct Neighbours {
+    int a, b;
+    TopoDS_Edge edge;
+  };
+
+  void find_neighbours(const TopoDS_Shape& shape) {
+    TopTools_IndexedDataMapOfShapeListOfShape faces_of;
+    TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
+    for (int e = 1; e <= faces_of.Extent(); ++e) {
+      std::vector<int> there;
+      for (const TopoDS_Shape& face : faces_of(e))
+        if (const auto found = index_.find(map_.FindIndex(face)); found != index_.end()) there.push_back(found->second);
+      for (std::size_t k = 1; k < there.size(); ++k)
+        if (there[0] != there[k]) neighbours_.push_back({there[0], there[k], TopoDS::Edge(faces_of.FindKey(e))});
+    }
+  }
+
+  bool are_neighbours(int a, int b) const {
+    return std::ranges::any_of(neighbours_,
+                               [&](const Neighbours& n) { return (n.a == a && n.b == b) || (n.a == b && n.b == a); });
+  }
+
+  /// Whether two neighbours are one side of one sheet: the faces opposite to them are one, or neighbours, too.
+  bool go_on(int a, int b) const {
+    return std::ranges::any_of(opposite_[a].faces, [&](int behind_a) {
+      return std::ranges::any_of(
+          opposite_[b].faces, [&](int behind_b) { return behind_a == behind_b || are_neighbours(behind_a, behind_b); });
+    });
+  }
+
+  /// Finds the edges at which sheets meet: edges of two skins that do not go on, and fillets between such skins.
+  void find_joints() {
+    const auto add = [&](int face, const TopoDS_Edge& edge, int target) {
+      for (TopExp_Explorer own(faces_[face].face, TopAbs_EDGE); own.More(); own.Next())
+        if (own.Current().IsSame(edge)) joints_.push_back({face, TopoDS::Edge(own.Current()), target});
+    };
+    for (const Neighbours& n : neighbours_)
+      if (is_skin_[n.a] && is_skin_[n.b] && !go_on(n.a, n.b)) {
+        add(n.a, n.edge, n.b);
+        add(n.b, n.edge, n.a);
+      }
+    is_fillet_.assign(faces_.size(), false);
+    for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
+      if (is_skin_[f]) continue;
+      std::vector<std::pair<int, TopoDS_Edge>> smooth;  // neighbours without a fold
+      for (const Neighbours& n : neighbours_)
+        if (const int other = n.a == f ? n.b : n.b == f ? n.a : -1; other >= 0 && is_skin_[other] && is_smooth(n))
+          smooth.emplace_back(other, n.edge);
+      if (smooth.size() != 2 || smooth[0].first == smooth[1].first || go_on(smooth[0].first, smooth[1].first)) continue;
+      is_fillet_[f] = true;
+      add(smooth[0].first, smooth[0].second, smooth[1].first);
+      add(smooth[1].first, smooth[1].second, smooth[0].first);
+    }
+  }
+
+  /// Whether the normals of two faces agree in the middle of their edge.
+  bool is_smooth(const Neighbours& n) const {
+    constexpr double smooth = 0.999;
+    const BRepAdaptor_Curve curve(n.edge);
+    const gp_Pnt middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+    const auto normal = [&](int face) {
+      ShapeAnalysis_Surface surface(BRep_Tool::Surface(faces_[face].face));
+      const gp_Pnt2d uv = surface.ValueOfUV(middle, 1e-7);
+      return outward_at(faces_[face].face, uv.X(), uv.Y());
+    };
+    return normal(n.a).dot(normal(n.b)) > smooth;
+  }
+
+  /// Joins skins that go on across their edges to sides.
+  void find_sides() {
+    side_.resize(faces_.size());
+    std::iota(side_.begin(), side_.end(), 0);
     for (bool is_changed = true; is_changed;) {
       is_changed = false;
-      for (const auto& [a, b] : neighbours)
-        if (is_skin_[a] && is_skin_[b] && component_[a] != component_[b]) {
-          component_[a] = component_[b] = std::min(component_[a], component_[b]);
+      for (const Neighbours& n : neighbours_)
+        if (is_skin_[n.a] && is_skin_[n.b] && side_[n.a] != side_[n.b] && go_on(n.a, n.b)) {
+          side_[n.a] = side_[n.b] = std::min(side_[n.a], side_[n.b]);
           is_changed = true;
         }
     }
+  }
+
+  [[noreturn]] static void throw_no_sheet() {
+    throw PartError(
+        "a solid is thin in places, but it does not consist of sheets: it branches where no plane sheet ends on "
+        "another one, or is thick elsewhere; choose the faces of the shell: faces = [...] with offset = 0.5, export "
+        "the "
+        "mid-surface from the CAD program, or take the skin: solids = \"faces\"");
+  }
+
+  /// Finds the sheets, and for each the side that is meshed. Throws PartError.
+  std::vector<Sheet> sheets() const {
+    std::map<int, std::set<int>> partners;  // of sides
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (is_skin_[i]) {
+        partners[side_[i]];
+        for (const int other : opposite_[i].faces)
+          if (is_skin_[other]) {
+            partners[side_[i]].insert(side_[other]);
+            partners[side_[other]].insert(side_[i]);
+          }
+      }
+    std::map<int, int> colour;  // of a side: 2 sheet, or 2 sheet + 1 on its other face
+    std::vector<Sheet> all;
+    for (const auto& [first, unused] : partners) {
+      if (colour.contains(first)) continue;
+      const int own = 2 * static_cast<int>(all.size());
+      std::vector<int> reached{first};
+      colour[first] = own;
+      for (std::size_t k = 0; k < reached.size(); ++k)
+        for (const int other : partners[reached[k]]) {
+          if (const auto known = colour.find(other); known != colour.end()) {
+            if (known->second == colour[reached[k]]) throw_no_sheet();
+            continue;
+          }
+          colour[other] = own + (colour[reached[k]] == own ? 1 : 0);
+          reached.push_back(other);
+        }
+      if (reached.size() < 2) throw_no_sheet();
+      all.push_back(better_side(colour, own));
+    }
+    check_connected(colour, all);
+    return all;
+  }
+
+  /// The side of a sheet that fewer sheets interrupt, that has fewer pieces, or that is larger.
+  Sheet better_side(const std::map<int, int>& colour, int first) const {
+    Sheet best;
+    std::tuple<std::size_t, std::size_t, double> least;
+    for (const int own : {first, first + 1}) {
+      Sheet sheet;
+      std::set<int> pieces;
+      double area = 0;
+      for (std::size_t i = 0; i < faces_.size(); ++i)
+        if (const auto found = colour.find(side_[i]); is_skin_[i] && found != colour.end() && found->second == own) {
+          sheet.faces.push_back(static_cast<int>(i));
+          pieces.insert(side_[i]);
+          area += area_of(faces_[i].face);
+        }
+      const auto joints = static_cast<std::size_t>(std::ranges::count_if(joints_, [&](const Joint& joint) {
+        return std::ranges::find(sheet.faces, joint.face) != sheet.faces.end();
+      }));
+      sheet.is_whole = joints == 0;
+      sheet.thickness = opposite_[sheet.faces.front()].distance;
+      if (const std::tuple now(joints, pieces.size(), -area); best.faces.empty() || now < least) {
+        least = now;
+        best = std::move(sheet);
+      }
+    }
+    return best;
+  }
+
+  /// Sheets must hang together by joints, at each of which one of them is extended.
+  void check_connected(const std::map<int, int>& colour, const std::vector<Sheet>& sheets) const {
+    const auto sheet_of = [&](int face) { return colour.at(side_[face]) / 2; };
+    std::vector<int> group(sheets.size());
+    std::iota(group.begin(), group.end(), 0);
+    for (const Joint& joint : joints_) {
+      const int own = sheet_of(joint.face), other = sheet_of(joint.target);
+      const auto extends = [&](int sheet, int target) {
+        return std::ranges::any_of(joints_, [&](const Joint& j) {
+          return sheet_of(j.target) == target &&
+                 std::ranges::find(sheets[sheet].faces, j.face) != sheets[sheet].faces.end();
+        });
+      };
+      if (own == other) throw_no_sheet();
+      const bool is_covered =
+          !(sheets[own].is_whole || sheets[other].is_whole) || extends(own, other) || extends(other, own);
+      if (!is_covered) throw_no_sheet();
+      const int from = std::max(group[own], group[other]), to = std::min(group[own], group[other]);
+      std::ranges::replace(group, from, to);
+    }
+    if (std::ranges::any_of(group, [](int g) { return g != 0; })) throw_no_sheet();
+  }
+
+  /// The sheet of a face, on either side.
+  const Sheet& sheet_at(int face, const std::vector<Sheet>& sheets) const {
+    const auto has = [&](const Sheet& sheet) {
+      return std::ranges::any_of(sheet.faces, [&](int own) {
+        return side_[own] == side_[face] ||
+               std::ranges::any_of(opposite_[own].faces, [&](int other) { return side_[other] == side_[face]; });
+      });
+    };
+    return *std::ranges::find_if(sheets, has);
+  }
+
+  /// The plane in the middle of a sheet, with a face of it.
+  gp_Pln middle_of(int index, double thickness) const {
+    const BRepAdaptor_Surface surface(faces_[index].face);
+    if (surface.GetType() != GeomAbs_Plane)
+      throw PartError(fmt::format(
+          "face {} is curved, and other sheets end on it or it ends on others; only plane ribs are extended to "
+          "the middle of the sheet that they meet: choose the faces of the shell: faces = [...]",
+          faces_[index].number));
+    gp_Pln plane = surface.Plane();
+    plane.Translate(gp_vec_of(-thickness / 2 * outward_of(index)));
+    return plane;
+  }
+
+  /// Whether the side is one plane face, which the kernel can move to the middle.
+  bool is_plane(const Sheet& sheet) const {
+    return sheet.faces.size() == 1 && BRepAdaptor_Surface(faces_[sheet.faces.front()].face).GetType() == GeomAbs_Plane;
+  }
+
+  Vector3d outward_of(int index) const { return places_on(faces_[index].face).front().outward; }
+
+  /// Moves a plane face to the middle of its sheet, and extends it to the sheets on which it ends.
+  void extend(int index, const std::vector<Sheet>& sheets, LabelledFace& face, SheetSides& result) const {
+    Rib rib{.face = face.face,
+            .middle = middle_of(index, face.thickness),
+            .outward = outward_of(index),
+            .number = face.number};
+    for (const Joint& joint : joints_) {
+      if (joint.face != index) continue;
+      const Sheet& target = sheet_at(joint.target, sheets);
+      RibEnd end{.edge = joint.edge, .borders = {}, .thickness = target.thickness};
+      if (target.is_whole && !is_plane(target))
+        for (const int i : target.faces) end.borders.push_back(faces_[i].face);
+      else
+        end.borders.push_back(
+            BRepBuilderAPI_MakeFace(middle_of(target.faces.front(), target.thickness), -size_, size_, -size_, size_));
+      // Where both sheets are interrupted, each fills a part of the other's gap.
+      result.overlap += length_of(joint.edge) * face.thickness * target.thickness / (target.is_whole ? 2 : 4);
+      rib.ends.push_back(std::move(end));
+    }
+    result.joints += static_cast<int>(rib.ends.size());
+    face.face = extended(rib, face.thickness, size_);
   }
 
   /// Faces that are no skin are rims: strips as wide as the sheet is thick.
@@ -208,7 +428,7 @@ class Solid {
       if (is_skin_[i]) thickness = std::max(thickness, opposite_[i].distance);
     std::vector<std::string> wide;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      if (is_skin_[i]) continue;
+      if (is_skin_[i] || is_fillet_[i]) continue;
       constexpr double allowed = 1.5;
       if (area_of(faces_[i].face) > allowed * thickness * perimeter_of(faces_[i].face) / 2)
         wide.push_back(opposite_[i].distance > 0
@@ -230,14 +450,18 @@ class Solid {
   TopTools_IndexedMapOfShape map_;
   std::map<int, int> index_{};  // of a face of the map in faces_
   std::vector<Opposite> opposite_{};
+  double size_ = 0;  ///< diagonal [mm]
+  std::vector<Neighbours> neighbours_{};
   std::vector<bool> is_skin_{};
-  std::vector<int> component_{};
+  std::vector<bool> is_fillet_{};  ///< between skins of two sheets
+  std::vector<Joint> joints_{};
+  std::vector<int> side_{};  ///< of a skin: equal on connected skins of one sheet
 };
 
 }  // namespace
 
-std::vector<LabelledFace> with_sides_of_sheets(const PartFile& part) {
-  std::vector<LabelledFace> chosen;
+SheetSides with_sides_of_sheets(const PartFile& part) {
+  SheetSides chosen;
   TopTools_IndexedMapOfShape in_solids;
   std::size_t thin = 0;
   for (const TopoDS_Shape& shape : part.solids) {
@@ -250,16 +474,19 @@ std::vector<LabelledFace> with_sides_of_sheets(const PartFile& part) {
     const Solid solid(std::move(faces), shape);
     if (!solid.is_thin()) continue;
     ++thin;
-    std::ranges::copy(solid.side(), std::back_inserter(chosen));
+    const SheetSides own_sides = solid.sides();
+    std::ranges::copy(own_sides.faces, std::back_inserter(chosen.faces));
+    chosen.joints += own_sides.joints;
+    chosen.overlap += own_sides.overlap;
   }
-  if (thin == 0) return part.faces;
+  if (thin == 0) return {.faces = part.faces};
   if (thin < part.solids.size())
     throw PartError(fmt::format(
         "{} of its {} solids are sheets, and the others are not; choose the faces of the shell: faces = [...], "
         "or export the sheets alone",
         thin, part.solids.size()));
   for (const LabelledFace& face : part.faces)
-    if (!in_solids.Contains(face.face)) chosen.push_back(face);
+    if (!in_solids.Contains(face.face)) chosen.faces.push_back(face);
   return chosen;
 }
 
@@ -278,11 +505,58 @@ void check_inside(const PartFile& part, const JoinedPart& joined, const SampledM
       return BRepClass3d_SolidClassifier(solid, point_of(middle), 1e-9).State() == TopAbs_IN;
     });
     if (!is_inside)
-      throw PartError(
-          fmt::format("the middle of the sheet at face {} is outside of the solid, which is damaged or turned "
-                      "inside out; choose the faces of the shell: faces = [...]",
-                      face.number));
+      throw PartError(fmt::format(
+          "the middle of the sheet at face {}, near ({:.6g}, {:.6g}, {:.6g}) mm, is outside of the solid, which is "
+          "damaged or turned inside out; choose the faces of the shell: faces = [...]",
+          face.number, middle[0], middle[1], middle[2]));
   }
+}
+
+/// Nodes where faces meet move along the faces, too. Spreads this over the cells there: linearly along their other sides, and from
+/// the sides to the inside (Coons).
+void spread_moves(const JoinedPart& joined, const SampledMesh& mesh, std::vector<Vector3d>& moves) {
+  const int q = mesh.degree, row = q + 1;
+  if (q == 1) return;
+  const auto each_cell = [&](const auto& visit) {
+    for (const topology::SurfaceCell& cell : mesh.surface.cells) {
+      const double to_middle = joined.labelled[static_cast<std::size_t>(cell.region) - 1].to_middle;
+      // The part of a move along the face.
+      const auto along = [&](int i, int j) -> Vector3d {
+        const auto k = static_cast<std::size_t>(j * row + i);
+        return moves[static_cast<std::size_t>(cell.nodes[k])] + to_middle * cell.normals[k];
+      };
+      const auto set = [&](int i, int j, const Vector3d& value) {
+        const auto k = static_cast<std::size_t>(j * row + i);
+        moves[static_cast<std::size_t>(cell.nodes[k])] = value - to_middle * cell.normals[k];
+      };
+      visit(along, set);
+    }
+  };
+  each_cell([&](const auto& along, const auto& set) {
+    for (int side = 0; side < 4; ++side) {
+      const auto place = [&](int k) {
+        return side < 2 ? std::pair(k, side == 0 ? 0 : q) : std::pair(side == 2 ? 0 : q, k);
+      };
+      const auto at = [&](int k) { return along(place(k).first, place(k).second); };
+      const double size = at(0).norm() + at(q).norm();
+      constexpr double negligible = 1e-6;
+      bool stays = size > 0;
+      for (int k = 1; k < q; ++k) stays = stays && at(k).norm() < negligible * size;
+      if (!stays) continue;
+      const Vector3d from = at(0), to = at(q);
+      for (int k = 1; k < q; ++k) set(place(k).first, place(k).second, from + (to - from) * k / q);
+    }
+  });
+  each_cell([&](const auto& along, const auto& set) {
+    for (int j = 1; j < q; ++j)
+      for (int i = 1; i < q; ++i) {
+        const double x = static_cast<double>(i) / q, y = static_cast<double>(j) / q;
+        set(i, j,
+            (1 - x) * along(0, j) + x * along(q, j) + (1 - y) * along(i, 0) + y * along(i, q) -
+                ((1 - x) * (1 - y) * along(0, 0) + x * (1 - y) * along(q, 0) + (1 - x) * y * along(0, q) +
+                 x * y * along(q, q)));
+      }
+  });
 }
 
 }  // namespace
@@ -300,8 +574,9 @@ void move_to_middle(const PartFile& part, const JoinedPart& joined, SampledMesh&
       auto& known = conditions[static_cast<std::size_t>(cell.nodes[k])];
       const Vector3d& n = cell.normals[k];
       if (std::ranges::none_of(known, [&](const Condition& c) { return (c.normal - n).norm() < one_normal; }))
-        known.push_back({n, joined.labelled[static_cast<std::size_t>(cell.region) - 1].thickness / 2});
+        known.push_back({n, joined.labelled[static_cast<std::size_t>(cell.region) - 1].to_middle});
     }
+  std::vector<Vector3d> moves(mesh.surface.nodes.size(), Vector3d::Zero());
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const auto count = static_cast<Eigen::Index>(conditions[i].size());
     if (count == 0) continue;
@@ -313,8 +588,16 @@ void move_to_middle(const PartFile& part, const JoinedPart& joined, SampledMesh&
     }
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(1e-3);
-    mesh.surface.nodes[i] += svd.solve(distances);
+    moves[i] = svd.solve(distances);
   }
+  spread_moves(joined, mesh, moves);
+  for (std::size_t i = 0; i < moves.size(); ++i) mesh.surface.nodes[i] += moves[i];
+  if (const auto [shape, place] = worst_shape(mesh); shape < least_shape)
+    throw PartError(fmt::format(
+        "a cell folds over when it is moved to the middle of its sheet, at ({:.6g}, {:.6g}, {:.6g}) mm: faces "
+        "that meet there are narrower than the sheet is thick, or cells are; choose the faces of the shell: "
+        "faces = [...], or take a larger size",
+        place[0], place[1], place[2]));
   check_inside(part, joined, mesh);
 }
 

@@ -21,6 +21,8 @@ using Eigen::Vector3d;
 inline Vector3d vector_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 inline Vector3d vector_of(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 inline gp_Pnt point_of(const Vector3d& p) { return {p[0], p[1], p[2]}; }
+inline gp_Vec gp_vec_of(const Vector3d& v) { return {v[0], v[1], v[2]}; }
+double length_of(const TopoDS_Edge& edge);      ///< [mm]
 double volume_of(const TopoDS_Shape& shape);    ///< [mm^3]
 double area_of(const TopoDS_Shape& shape);      ///< [mm^2]
 double diagonal_of(const TopoDS_Shape& shape);  ///< of a box around it; throws PartError if there is nothing [mm]
@@ -36,6 +38,7 @@ struct LabelledFace {
   FaceLabel label{};
   int number = 0;        ///< in the order of the file, from 1
   double thickness = 0;  ///< of the solid whose side it is; 0: the face itself is the shell [mm]
+  double to_middle = 0;  ///< distance from the face to the middle of the solid, against the normal [mm]
 };
 
 /// The faces of a file, in millimetres.

@@ -193,6 +193,12 @@ double area_of(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
+double length_of(const TopoDS_Edge& edge) {
+  GProp_GProps properties;
+  BRepGProp::LinearProperties(edge, properties);
+  return properties.Mass();
+}
+
 double volume_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties);

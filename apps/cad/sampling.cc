@@ -35,6 +35,19 @@ struct FacePoint {
   std::optional<Vector3d> normal{};
 };
 
+/// The worst shape at the nodes of a cell, and its place.
+std::pair<double, Vector3d> shape_of(const mesh::LatticeTable& at_nodes, const topology::SpaceMesh& surface,
+                                     const topology::SurfaceCell& cell) {
+  const topology::PatchPoints points = topology::patch_points(at_nodes, surface, cell);
+  std::pair<double, Vector3d> worst{1, Vector3d::Zero()};
+  for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
+    const double product = points.a1.row(n).norm() * points.a2.row(n).norm();
+    const double shape = product > 0 ? points.normal(n).dot(cell.normals[static_cast<std::size_t>(n)]) / product : 0;
+    if (shape < worst.first) worst = {shape, points.phi.row(n)};
+  }
+  return worst;
+}
+
 /// The nearest points of a face's surface, which goes on beyond the edges of the face.
 class FaceSurface {
  public:
@@ -166,7 +179,7 @@ class FaceSurface {
 class Sampler {
  public:
   Sampler(const JoinedPart& part, const Quads& quads) : quads_(quads) {
-    for (int f = 1; f <= part.faces.Extent(); ++f) surfaces_.emplace_back(TopoDS::Face(part.faces(f)));
+    for (const LabelledFace& face : part.labelled) surfaces_.emplace_back(face.face);
     for (const Quads::Line& line : quads.lines) {
       if (!curves_.contains(line.edge)) curves_.emplace(line.edge, EdgeCurve(TopoDS::Edge(part.edges(line.edge))));
       lines_[key(line.ends[0], line.ends[1])] = &line;
@@ -331,16 +344,10 @@ class Sampler {
 
   /// Finds the worst shape at the nodes of a cell.
   void measure_shape(const topology::SurfaceCell& cell, SampledMesh& mesh) const {
-    const topology::PatchPoints points = topology::patch_points(at_nodes_, mesh.surface, cell);
-    double worst = 1;
-    for (Eigen::Index n = 0; n < points.phi.rows(); ++n) {
-      const double product = points.a1.row(n).norm() * points.a2.row(n).norm();
-      const double shape = product > 0 ? points.normal(n).dot(cell.normals[static_cast<std::size_t>(n)]) / product : 0;
-      worst = std::min(worst, shape);
-      if (shape < mesh.worst_shape) {
-        mesh.worst_shape = shape;
-        mesh.worst_place = points.phi.row(n);
-      }
+    const auto [worst, place] = shape_of(at_nodes_, mesh.surface, cell);
+    if (worst < mesh.worst_shape) {
+      mesh.worst_shape = worst;
+      mesh.worst_place = place;
     }
     if (worst >= fair_shape) return;
     const auto corners = topology::corner_nodes(mesh::Shape::quadrilateral, cell);
@@ -378,6 +385,16 @@ class Sampler {
 };
 
 }  // namespace
+
+std::pair<double, Vector3d> worst_shape(const SampledMesh& sampled) {
+  constexpr auto square = mesh::Shape::quadrilateral;
+  const mesh::LatticeTable at_nodes =
+      mesh::lattice_table(square, sampled.degree, mesh::lattice(square, sampled.degree));
+  std::pair<double, Vector3d> worst{1, Vector3d::Zero()};
+  for (const topology::SurfaceCell& cell : sampled.surface.cells)
+    if (const auto own = shape_of(at_nodes, sampled.surface, cell); own.first < worst.first) worst = own;
+  return worst;
+}
 
 SampledMesh sampled_coarsely(const JoinedPart& part, const Quads& quads) { return Sampler(part, quads)(2); }
 

@@ -4,6 +4,7 @@
 
 #include <plastron/topology/space_mesh.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace plastron::cad {
@@ -34,6 +35,10 @@ struct SampledMesh {
 };
 
 inline constexpr double fair_shape = 0.05;
+inline constexpr double least_shape = 1e-5;  ///< of a cell that can be used
+
+/// Returns the worst shape at the nodes of the cells, and its place.
+std::pair<double, Vector3d> worst_shape(const SampledMesh& sampled);
 
 /// Samples with degree 2, which shows the shapes of the cells.
 SampledMesh sampled_coarsely(const JoinedPart& part, const Quads& quads);

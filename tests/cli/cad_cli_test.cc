@@ -117,11 +117,171 @@ TEST(CadFile, AThinSolidIsItsMidSurface) {
   }
 }
 
+/// Solids of sheets that end on sheets, of random sizes, against the area of their middles.
+TEST(CadFile, RibsReachTheMiddleOfTheirSheet) {
+  namespace occ = gmsh::model::occ;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> part(0, 1);
+  const auto fuse = [](int count) {
+    gmsh::vectorpair others, fused;
+    std::vector<gmsh::vectorpair> map;
+    for (int i = 2; i <= count; ++i) others.emplace_back(3, i);
+    occ::fuse({{3, 1}}, others, fused, map);
+  };
+  for (int trial = 0; trial < 2; ++trial) {
+    const double e = 1.5 + 2 * part(random), t = 1.5 + part(random), h = 15 + 10 * part(random),
+                 R = 25 + 10 * part(random);
+    const Scratch scratch;
+    const auto check = [&](const std::function<void()>& draw, double area, const char* joint) {
+      write_step(scratch.path / "part.step", draw);
+      scratch.write("part.toml", case_of("file = \"part.step\"\n", "", e));
+      const std::string output = plastron({"check", "part.toml"}, scratch.path).output;
+      char text[64];
+      std::snprintf(text, sizeof text, "mid-surface area %.6g mm^2", area);
+      EXPECT_THAT(output, AllOf(HasSubstr(text), HasSubstr(joint), HasSubstr("1 component")))
+          << e << " " << t << " " << h;
+      EXPECT_THAT(output, Not(HasSubstr("slanted rims")));
+    };
+    const auto plate = [&] { occ::addBox(0, 0, 0, 100, 60, e); };
+    check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), fuse(2); }, 6000 + 100 * (h + e / 2), "three cells");
+    check([&] { plate(), occ::addBox(20, 30, e, 60, t, h), fuse(2); }, 6000 + 60 * (h + e / 2), "three cells");
+    check([&] { plate(), occ::addBox(0, 20, e, 100, t, h), occ::addBox(0, 40, e, 100, t, h), fuse(3); },
+          6000 + 200 * (h + e / 2), "three cells");
+    check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(0, 10, -h, 100, t, h), fuse(3); },
+          6000 + 200 * (h + e / 2), "three cells");
+    check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(0, 0, e + h, 100, 60, e), fuse(3); },
+          12000 + 100 * (h + e), "three cells");
+    check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(50, 0, e, t, 60, h), fuse(3); },
+          6000 + 160 * (h + e / 2), "four cells");
+    check(  // a tube with a ring
+        [&] {
+          occ::addCylinder(0, 0, 0, 0, 0, 60, R + e), occ::addCylinder(0, 0, 30, 0, 0, t, R + e + h), fuse(2);
+          const int bore = occ::addCylinder(0, 0, -1, 0, 0, 62, R);
+          gmsh::vectorpair all, cut;
+          std::vector<gmsh::vectorpair> map;
+          occ::getEntities(all, 3);
+          std::erase(all, std::pair(3, bore));
+          occ::cut(all, {{3, bore}}, cut, map);
+        },
+        2 * pi * (R + e / 2) * 60 + pi * ((R + e + h) * (R + e + h) - (R + e / 2) * (R + e / 2)), "three cells");
+  }
+}
+
+/// [shell] and a region, each right and wrong.
 TEST(CadFile, AnotherThicknessThanTheSolidsIsWarnedOf) {
   const Scratch scratch;
   write_step(scratch.path / "sheet.step", [] { part_files::draw_bent_sheet(40, 20, 2, 3); });
-  scratch.write("part.toml", case_of("file = \"sheet.step\"\n", "", 1));
-  EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("the solid is 2 mm thick"));
+  const auto check = [&](double thickness, const std::string& region) {
+    scratch.write("part.toml", case_of("file = \"sheet.step\"\n", region, thickness));
+    return plastron({"check", "part.toml"}, scratch.path).output;
+  };
+  const std::string foot = "[[region]]\nname = \"foot\"\nfaces = { at = [10, 10, 0] }\nthickness = ";
+  EXPECT_THAT(check(1, ""), HasSubstr("the solid is 2 mm thick"));
+  EXPECT_THAT(check(1, ""), HasSubstr("has the thickness 1 mm there"));
+  EXPECT_THAT(check(2, ""), Not(HasSubstr("mm thick")));
+  EXPECT_THAT(check(2, foot + "3\n"), HasSubstr("has the thickness 3 mm there"));
+  EXPECT_THAT(check(2, foot + "2\n"), Not(HasSubstr("mm thick")));
+}
+
+/// Whatever stands beside a sheet in the file is meshed, or the file is refused.
+TEST(CadFile, NothingBesideASheetVanishes) {
+  const Scratch scratch;
+  const auto check = [&](const std::function<void()>& draw, const std::string& geometry = "") {
+    write_step(scratch.path / "part.step", [&] {
+      gmsh::model::occ::addBox(0, 0, 0, 40, 30, 2);
+      draw();
+    });
+    scratch.write("part.toml", case_of("file = \"part.step\"\n" + geometry, ""));
+    return plastron({"check", "part.toml"}, scratch.path);
+  };
+  const Outcome thick = check([] { gmsh::model::occ::addBox(0, 0, 20, 20, 20, 20); });
+  EXPECT_EQ(thick.exit_code, 2);
+  EXPECT_THAT(thick.output, HasSubstr("1 of its 2 solids are sheets"));
+  EXPECT_THAT(check([] { gmsh::model::occ::addRectangle(0, 0, 20, 40, 30); }).output,
+              AllOf(HasSubstr("2 of 7 faces"), HasSubstr("2 components"), HasSubstr("area 2400 mm^2")));
+  EXPECT_THAT(check([] { gmsh::model::occ::addBox(0, 0, 20, 40, 30, 1); }).output,
+              AllOf(HasSubstr("a sheet of 1 mm"), HasSubstr("a sheet of 2 mm"), HasSubstr("area 2400 mm^2")));
+  EXPECT_THAT(check([] {}, "offset = 0.5\n").output, HasSubstr("away from the middle"));
+}
+
+TEST(CadFile, ThickSolidsAreTheirSkin) {
+  const Scratch scratch;
+  write_step(scratch.path / "part.step", [] { gmsh::model::occ::addBox(0, 0, 0, 40, 30, 25); });
+  scratch.write("part.toml", case_of("file = \"part.step\"\n", ""));
+  EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("the shell is their skin"));
+  scratch.write("part.toml", case_of("file = \"part.step\"\nsolids = \"faces\"\n", ""));
+  EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, Not(HasSubstr("skin")));
+}
+
+/// Two plates that cross at random places and angles: all of both is the shell, with branches of four cells.
+TEST(CadFile, PlatesThatCrossAreJoined) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int trial = 0; trial < 4; ++trial) {
+    // The same width: the line of crossing ends on borders of both. A smaller one: it ends inside.
+    const double width = trial % 2 == 0 ? 40 : 10 + 20 * part(random), y = 5 + 20 * part(random),
+                 down = 4 + 8 * part(random);
+    const double angle = pi / 2 + (part(random) - 0.5);
+    const Scratch scratch;
+    write_step(scratch.path / "cross.step", [&] {
+      namespace occ = gmsh::model::occ;
+      occ::addRectangle(0, 0, 0, 40, 30);
+      const int other = occ::addRectangle(0, -down, 0, width, 20);
+      occ::rotate({{2, other}}, 0, 0, 0, 1, 0, 0, angle);
+      occ::translate({{2, other}}, 0, y, 0);
+    });
+    scratch.write("part.toml", case_of("file = \"cross.step\"\n", ""));
+    char area[64];
+    std::snprintf(area, sizeof area, "mid-surface area %.6g mm^2", 40 * 30 + width * 20);
+    EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output,
+                AllOf(HasSubstr(area), HasSubstr("branches of four cells"), HasSubstr("1 component")));
+  }
+}
+
+/// A file that states a wrong unit has the same sheet in the stated one.
+TEST(CadFile, AStatedUnitScalesTheWholePart) {
+  const Scratch scratch;
+  write_step(scratch.path / "sheet.step", [] { gmsh::model::occ::addBox(0, 0, 0, 40, 30, 2); });
+  for (const auto& [unit, mm] : std::vector<std::pair<const char*, double>>{
+           {"m", 1e3}, {"dm", 100}, {"cm", 10}, {"mm", 1}, {"um", 1e-3}, {"in", 25.4}, {"ft", 304.8}}) {
+    scratch.write("part.toml", case_of("file = \"sheet.step\"\nunit = \"" + std::string(unit) + "\"\n", "", 2 * mm));
+    char area[64];
+    std::snprintf(area, sizeof area, "mid-surface area %.6g mm^2", 1200 * mm * mm);
+    EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output,
+                AllOf(HasSubstr("its middle"), Not(HasSubstr("mm thick")), HasSubstr(area)))
+        << unit;
+  }
+}
+
+/// Where the shell is not the middle of the whole solid, the case says so.
+TEST(CadFile, RoundRimsAndOverlapsAreWarnedOf) {
+  namespace occ = gmsh::model::occ;
+  const Scratch scratch;
+  const auto check = [&](const std::function<void()>& draw) {
+    write_step(scratch.path / "part.step", draw);
+    scratch.write("part.toml", case_of("file = \"part.step\"\n", ""));
+    return plastron({"check", "part.toml"}, scratch.path).output;
+  };
+  const auto plate_with = [&](double lower, double upper) {  // radii of a hole
+    occ::addBox(0, 0, 0, 40, 30, 2);
+    occ::addCone(20, 15, -1, 0, 0, 4, lower, upper);
+    gmsh::vectorpair cut;
+    std::vector<gmsh::vectorpair> map;
+    occ::cut({{3, 1}}, {{3, 2}}, cut, map);
+  };
+  EXPECT_THAT(check([&] { plate_with(2, 8); }), HasSubstr("round, chamfered or slanted rims"));
+  EXPECT_THAT(check([&] { plate_with(5, 5 + 1e-6); }), Not(HasSubstr("slanted rims")));
+  EXPECT_THAT(check([&] {
+                occ::addRectangle(0, 0, 0, 40, 30);
+                occ::addRectangle(20, 0, 0, 40, 30);
+              }),
+              AllOf(HasSubstr("area 1800 mm^2"), HasSubstr("600 mm^2 count once")));
+}
+
+TEST(CadFile, LengthsOfCurvedEdgesAreExact) {
+  const Scratch scratch;
+  write_step(scratch.path / "disk.step", [] { gmsh::model::occ::addDisk(0, 0, 0, 5, 5); });
+  EXPECT_THAT(plastron({"parts", "disk.step"}, scratch.path).output, HasSubstr("31.4159"));
 }
 
 /// The kept mesh is a mesh like others, with the same result; verify reads it and not the part.
@@ -146,6 +306,33 @@ TEST(CadFile, TheMeshOfARunIsKept) {
   EXPECT_NEAR(again, energy, 1e-10 * energy);
 }
 
+/// A force and a moment at a place of a curved face; a point in the air is told.
+TEST(CadFile, ALoadActsAtAPlaceInSpace) {
+  const Scratch scratch;
+  write_step(scratch.path / "cap.step", [] {
+    gmsh::model::occ::addSphere(0, 0, 0, 50, 1, 0.5, pi / 2);
+    gmsh::model::occ::synchronize();
+    gmsh::model::occ::remove({{3, 1}});
+    gmsh::model::occ::remove({{2, 2}});
+  });
+  const auto text = [](double height) {
+    return case_of("file = \"cap.step\"\n",
+                   "[[boundary]]\nname = \"rim\"\nedges = { where = \"Z < 24\" }\n"
+                   "[[support]]\nboundary = \"rim\"\nfix = [\"u\", \"r\"]\n[[load]]\npoint = [0, 30, " +
+                       std::to_string(height) + "]\ntotal = [10, -20, 30]\nmoment = [300, 200, -100]\n");
+  };
+  const json loads = results_of(scratch, text(40))["loads"];
+  const double force[] = {10, -20, 30}, moment[] = {300 + 30 * 30 + 40 * 20, 200 + 40 * 10, -100 - 30 * 10};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(loads["force"][k].get<double>(), force[k], 1e-9);
+    EXPECT_NEAR(loads["moment"][k].get<double>(), moment[k], 1e-4 * 1700);
+  }
+  scratch.write("part.toml", text(45));
+  const Outcome off = plastron({"run", "part.toml", "--output", "off"}, scratch.path);
+  EXPECT_EQ(off.exit_code, 2);
+  EXPECT_THAT(off.output, HasSubstr("no place of the shell is nearer than radius = 2"));
+}
+
 TEST(CadFile, WrongChoicesAreTold) {
   const Scratch scratch;
   write_step(scratch.path / "rib.step", part_files::draw_rib);
@@ -166,6 +353,32 @@ TEST(CadFile, WrongChoicesAreTold) {
   EXPECT_THAT(
       check("", "[[region]]\nname = \"a\"\nfaces = \"face 1\"\n[[region]]\nname = \"b\"\nfaces = { at = [0, 0, 0] }\n"),
       HasSubstr("the regions \"a\" and \"b\" both have face 1"));
+  const auto boundaries = [&](const std::string& list) { return check("", list); };
+  const auto edges = [&](const std::string& selector) {
+    return check("", "[[boundary]]\nname = \"rim\"\nedges = " + selector + "\n");
+  };
+  const auto region = [&](const std::string& selector) {
+    return check("", "[[region]]\nname = \"pad\"\nfaces = " + selector + "\n");
+  };
+  // Keys of the other kind of selection, and expressions: one error each.
+  for (const std::string& output :
+       {edges("{ colour = \"#ff0000\" }"), region("{ free = true }"), region("{ between = [\"face 1\"] }"),
+        edges("{ where = \"Z >\" }"), edges("{ where = 3 }"), edges("{ at = [1, 2] }"), edges("{ free = 1 }")}) {
+    EXPECT_THAT(output, HasSubstr("error")) << output;
+    EXPECT_THAT(output, Not(HasSubstr("has no condition"))) << output;
+    EXPECT_THAT(output, Not(HasSubstr("terminate"))) << output;
+  }
+  EXPECT_THAT(edges("{ at = [0, 0, 0] }"), HasSubstr("is as near to edge 1 as to edge 4"));
+  EXPECT_THAT(region("{ at = [50, 30, 0] }"), HasSubstr("is as near to face 1 as to face 2"));
+  EXPECT_THAT(boundaries("[[boundary]]\nname = \"edge 1\"\nedges = \"edge 4\"\n"),
+              HasSubstr("has the name of another edge"));
+  EXPECT_THAT(check("", "[[region]]\nname = \"face 1\"\nfaces = \"face 2\"\n"),
+              HasSubstr("has the name of another face"));
+  EXPECT_THAT(boundaries("[[boundary]]\nname = \"a\"\nedges = \"edge 4\"\n[[boundary]]\nname = \"a\"\nedges = "
+                         "\"edge 1\"\n"),
+              HasSubstr("two [[boundary]] are named \"a\""));
+  EXPECT_THAT(check("tolerance = 12\n"), HasSubstr("above a hundredth of the part's diagonal"));
+  EXPECT_THAT(check("size = 1e-9\n"), HasSubstr("size must be at least"));
   scratch.write("part.toml", case_of("domain = { rectangle = { to = [1, 1] } }\nchart = [\"x\", \"y\", \"0\"]\n",
                                      "[[boundary]]\nname = \"rim\"\nedges = \"edge 1\"\n"));
   EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("[geometry] has none"));

@@ -169,6 +169,10 @@ void complete_part(Table& root, problem::Problem& problem) {
   if (file->in_space->tolerance) job["tolerance"] = *file->in_space->tolerance;
   if (const auto& thickness = problem.shell.sections.common.thickness; thickness.is_constant())
     job["thickness"] = thickness(0, 0);
+  if (job.contains("regions"))
+    for (json& region : job["regions"])
+      if (const auto& thickness = problem.shell.sections.regions.at(region["name"]).thickness; thickness.is_constant())
+        region["thickness"] = thickness(0, 0);
   if (file->in_space->offset.part != 0) job["offset"] = file->in_space->offset.part;
   for (const auto& [name, value] : root.reading().constants) job["constants"][name] = value;
   file->cad_job = job.dump();
