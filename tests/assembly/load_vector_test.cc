@@ -1,9 +1,12 @@
 #include "assembly/load_samples.hpp"
 
+#include <plastron/assembly/nodal_geometry.hpp>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace plastron::assembly {
 namespace {
@@ -67,7 +70,8 @@ TEST(LoadVector, ATotalForceIsTheSumOfAnEvenLoad) {
         const algebra::Vector found = load_vector(shell, {.totals = {total}});
         const auto sum = test::total(found);
         EXPECT_LT((sum.head<3>() - force).norm(), 1e-13 * force.norm());
-        const algebra::Vector even = load_vector(shell, total.spread({0, 0, 1}));
+        const algebra::Vector even = load_vector(
+            shell, total.spread({geometry::Expression(0), geometry::Expression(0), geometry::Expression(1)}));
         const double measure = test::total(even)[2];
         for (std::size_t i = 0; i < found.owned().size(); i += 6)
           EXPECT_NEAR(found.owned()[i + 2], force[2] / measure * even.owned()[i + 2], 1e-14);
@@ -76,6 +80,54 @@ TEST(LoadVector, ATotalForceIsTheSumOfAnEvenLoad) {
         EXPECT_LT((test::total(load_vector(shell, twice)).head<3>() - 2 * force).norm(), 1e-12);
       }
     }
+}
+
+/// Places that are smaller than a cell, larger, and cut by the rim, with a point that is not their centroid.
+TEST(LoadVector, ForceAndMomentAtAPointAreTheGivenOnes) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> part(-1, 1);
+  const auto vector = [&] { return Eigen::Vector3d(part(random), part(random), part(random)); };
+  for (const mesh::Shape shape : {test::quadrilateral, test::triangle})
+    for (const double radius : {1e-3, 0.03, 0.4}) {
+      energy::TotalForce load{.force = vector(), .moment = vector()};
+      for (const Eigen::Vector3d& point : {Eigen::Vector3d(0.37, 0.61, 0), Eigen::Vector3d(0.2, 1e-4, 0)}) {
+        load.spot = {.point = point, .radius = radius};
+        const auto shell = test::plate_operator(2, shape);
+        const algebra::Vector f = load_vector(shell, {.totals = {load}});
+        // Work in rigid motions, which a flat cell has exactly.
+        Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+        const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
+        for (std::size_t n = 0; n < f.owned().size() / 6; ++n) {
+          const Eigen::Vector3d own(f.owned()[6 * n], f.owned()[6 * n + 1], f.owned()[6 * n + 2]);
+          force += own;
+          moment += (points[n].phi - point).cross(own);
+        }
+        EXPECT_LT((force - load.force).norm(), 1e-12) << radius;
+        EXPECT_LT((moment - load.moment).norm(), 1e-9) << radius;
+      }
+    }
+}
+
+TEST(LoadVector, LoadsActWhereTheirConditionHolds) {
+  const auto shell = cap_operator(2, 1);
+  energy::AreaLoad conditioned, composed;
+  conditioned.pressure = geometry::Expression("1 + x", {});
+  conditioned.couple[1] = geometry::Expression(3.0);
+  conditioned.where = geometry::Expression("X > 0.1 && Y < 0.2", {});
+  composed.pressure = geometry::Expression("X > 0.1 && Y < 0.2 ? 1 + x : 0", {});
+  composed.couple[1] = geometry::Expression("X > 0.1 && Y < 0.2 ? 3 : 0", {});
+  const auto a = load_vector(shell, {.on_areas = {conditioned}}), b = load_vector(shell, {.on_areas = {composed}});
+  for (std::size_t i = 0; i < a.owned().size(); ++i) EXPECT_NEAR(a.owned()[i], b.owned()[i], 1e-13);
+}
+
+TEST(LoadVector, APlaceOffTheShellIsAnError) {
+  const auto shell = cap_operator(2, 1);
+  energy::TotalForce load{.force = {0, 0, 1}, .spot = energy::Spot{.point = {0, 0, 5}, .radius = 0.1}};
+  EXPECT_THROW(load_vector(shell, {.totals = {load}}), energy::LoadError);
+  load = {.force = {0, 0, 1}, .where = geometry::Expression("X > 100", {})};
+  EXPECT_THROW(load_vector(shell, {.totals = {load}}), energy::LoadError);
+  load = {.moment = {1, 0, 0}, .boundaries = {"bottom"}};  // a straight line along x
+  EXPECT_THROW(load_vector(test::plate_operator(2, test::quadrilateral), {.totals = {load}}), energy::LoadError);
 }
 
 TEST(LoadVector, LoadsAsFunctionsAndAsExpressionsAgree) {

@@ -84,11 +84,12 @@ const std::vector<Limit>& limits() {
       {"point-loads",
        {"point-load", "point-force", "point-forces", "nodal-load", "nodal-loads", "nodal-force", "nodal-forces",
         "concentrated-load", "concentrated-loads", "concentrated-force", "concentrated-forces", ".force", ".forces",
-        ".moment", ".moments", "load.point", "load.at", "load.node", "load.nodes"},
-       "Loads act on areas, edges and rigid bodies. A force at a point would move it without limit as the mesh is "
-       "refined.",
+        ".moment", ".moments", "load.at", "load.node", "load.nodes"},
+       "A force or a moment at a point is spread over the places nearer than a radius: a force at a point would move "
+       "it "
+       "without limit as the mesh is refined.",
        "not shown",
-       "a pressure on a small patch by an expression, or a small obstacle with a `force`"},
+       "`point`, `radius` and `total` or `moment` in `[[load]]`, or a small obstacle with a `force`"},
       {"load-cases",
        {"load-case", "loadcase", "loadcases", "combinations"},
        "Load cases start from the undeformed shell, and a file has either load cases or steps. Envelopes have fields "

@@ -1,6 +1,8 @@
 // Reads [[load]] and [[temperature]].
 #include <plastron/config/sections.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace plastron::config {
@@ -35,14 +37,69 @@ std::vector<std::string> regions_of(Table& table) {
   return table.name_list("region", "region", table.reading().regions()).value_or(std::vector<std::string>{});
 }
 
+/// Returns the condition of the places where a load acts.
+geometry::Expression read_where(Table& load) {
+  const geometry::Expression everywhere(1.0);
+  if (!load.has("where")) return everywhere;
+  const auto where = load.field("where");
+  if (where && where->is_constant())
+    load.report_key("where", "where is no condition: it is the same everywhere", "comparisons of X, Y, Z and x, y",
+                    "write for example where = \"(X - 20)^2 + Y^2 < 9\"");
+  return where.value_or(everywhere);
+}
+
+/// Returns the point of a load in space.
+std::optional<Eigen::Vector3d> read_point(Table& load, const problem::Problem& problem) {
+  const auto point = load.place("point");
+  if (!point || !check_inside(load, "point", "the point", *point)) return {};
+  if (is_in_space(*point)) return Eigen::Vector3d(*point);
+  if (problem.charts.size() == 1) return problem.charts.begin()->second((*point)[0], (*point)[1]).value;
+  if (!problem.charts.empty())
+    load.report("point", "the chart has pieces, so x and y do not name a place", "three numbers [X, Y, Z]");
+  return {};
+}
+
+/// Returns the places around the point of a load.
+std::optional<energy::Spot> read_spot(Table& load, const problem::Problem& problem) {
+  if (!load.has("point")) {
+    if (load.has("radius"))
+      load.report_key("radius", "radius is that of the places around a point, and the load has none", "",
+                      "add point = [X, Y, Z]");
+    return {};
+  }
+  if (load.has("where"))
+    load.report_key("where", "a load has a point or a condition, not both", "point or where", "remove one of them");
+  energy::Spot spot{.point = read_point(load, problem).value_or(Eigen::Vector3d::Zero())};
+  const geometry::Expression& thickness = problem.shell.sections.common.thickness;
+  if (load.has("radius"))
+    spot.radius = load.number("radius").value_or(1);
+  else if (thickness.is_constant())
+    load.effective["radius"] = spot.radius = thickness(0, 0);
+  else
+    load.report_key("point", "the thickness varies, so the load needs a radius", "",
+                    "add radius = the size of the loaded spot");
+  return spot;
+}
+
 /// Whether the load has a known sum. It has nothing else then.
 bool read_total(Table& load, problem::Problem& problem) {
-  if (!load.has("total")) return false;
+  if (!load.has("total") && !load.has("moment")) {
+    for (const char* name : {"point", "radius"})
+      if (load.has(name))
+        load.report_key(name, fmt::format("{} is for a load with a known sum", name), "total, moment",
+                        "add total = [0, 0, -100], or choose places by where");
+    return false;
+  }
   for (const char* name : {"force", "pressure", "couple", "follows"})
-    if (load.has(name)) load.report_key(name, "a load with a total force has nothing else", "", "write two [[load]]");
-  energy::TotalForce total{.force = load.vector("total").value_or(Eigen::Vector3d::Zero())};
+    if (load.has(name))
+      load.report_key(name, "a load with a total or a moment has no other force", "", "write two [[load]]");
+  energy::TotalForce total;
+  for (const auto& [name, value] : {std::pair("total", &total.force), std::pair("moment", &total.moment)})
+    if (load.has(name)) *value = load.vector(name).value_or(Eigen::Vector3d::Zero());
   if (load.has("boundary")) total.boundaries = read_boundaries(load).value_or(std::vector<std::string>{});
   total.regions = regions_of(load);
+  total.spot = read_spot(load, problem);
+  total.where = read_where(load);
   total.factor = read_factor_name(load, problem);
   problem.shell.loads.totals.push_back(std::move(total));
   return true;
@@ -58,6 +115,7 @@ void read_edge_load(Table& load, problem::Problem& problem) {
   const energy::EdgeLoad result{.boundary = "",
                                 .force = vector_or_zero(load, "force"),
                                 .couple = vector_or_zero(load, "couple"),
+                                .where = read_where(load),
                                 .factor = read_factor_name(load, problem)};
   for (const std::string& boundary : boundaries.value_or(std::vector<std::string>{})) {
     problem.shell.loads.on_edges.push_back(result);
@@ -84,6 +142,7 @@ void read_area_load(Table& load, problem::Problem& problem) {
   else
     load.effective["pressure"] = 0.0;
   result.regions = regions_of(load);
+  result.where = read_where(load);
   result.follows = load.boolean("follows").value_or(false);
   check_follower(load, result, problem);
   problem.shell.loads.on_areas.push_back(std::move(result));
@@ -95,7 +154,7 @@ std::vector<Section> load_sections() {
   return {
       {"load",
        "[[load]]",
-       "A load with at least one of force, pressure and couple, or with a total. It is dead (it keeps its "
+       "A load with at least one of force, pressure and couple, or with a total or a moment. It is dead (it keeps its "
        "direction and is measured "
        "per area of the undeformed shell), unless it follows. It acts per area of the mid-surface, or per length "
        "of a boundary if one is named. Several loads add up.",
@@ -105,11 +164,25 @@ std::vector<Section> load_sections() {
         key("region", Kind::name_or_names, {},
             "one or several regions of the domain; if not given, the load acts on the whole surface. Not together "
             "with boundary"),
+        key("where", Kind::field, {.example = "\"(X - 0.2)^2 + Y^2 < 0.03^2\""},
+            "condition on X, Y, Z, and on x, y of a chart: the load acts where it holds. Its border is integrated "
+            "exactly, "
+            "also inside cells, and also if the places are smaller than a cell"),
         key("force", Kind::field_vector, {.unit = "N/m^2, N/m"}, "Cartesian force"),
         key("total", Kind::vector, {.unit = "N"},
             "sum of a force that is spread evenly over the area of the surface or of the regions, or over the "
             "length of the boundaries, where a curve of two of them counts twice. On a part of a symmetric shell, the "
-            "force on this part. Alone"),
+            "force on this part. Beside it only moment"),
+        key("moment", Kind::vector, {.unit = "N m"},
+            "sum of the moment, about the centroid of the places or about point, of forces that vary linearly over the "
+            "places, as if a rigid plate were fixed there"),
+        key("point", Kind::place, {.example = "[0.2, 0, 0.1]"},
+            "[X, Y, Z], on the undeformed shell, or x and y of a chart: total and moment act there. They are spread "
+            "over "
+            "the places nearer than radius. Also near an edge the force and the moment about the point are the given "
+            "ones"),
+        key("radius", Kind::number, {.unit = "m", .range = Range::positive()},
+            "of the places around point; if not given, the thickness"),
         key("pressure", Kind::field, {.unit = "N/m^2"},
             "force along the normal a3; hydrostatic pressure is an expression of Z. Not on a boundary"),
         key("follows", Kind::boolean, {.fallback = "false"},
@@ -123,7 +196,8 @@ void read_loads(Table& root, problem::Problem& problem) {
       load.report_key("region", "a load acts on a boundary or on a region, not on both", "", "write two [[load]]");
     if (read_total(load, problem)) return;
     if (!load.has("force") && !load.has("pressure") && !load.has("couple") && load.other_entries().empty())
-      load.report_here("[[load]] has no force, pressure, couple or total", "", "add for example force = [0, 0, -1]");
+      load.report_here("[[load]] has no force, pressure, couple, total or moment", "",
+                       "add for example force = [0, 0, -1]");
     if (load.has("boundary"))
       read_edge_load(load, problem);
     else

@@ -42,16 +42,16 @@ class Borders {
   /// Returns the places where borders cross the line of s, ascending.
   std::vector<double> on_line(double s) const {
     std::vector<double> all;
-    double end = -1;
-    find(s, smallest, 1 - smallest, all, end);
+    Run run;
+    find(s, smallest, 1 - smallest, all, run);
     return all;
   }
 
   /// Returns the values of s where the borders on lines begin, end, turn or have corners, ascending.
   std::vector<double> events() const {
     std::vector<double> all;
-    double end = -1;
-    find_events(smallest, on_line(smallest), 1 - smallest, on_line(1 - smallest), all, end);
+    Run run;
+    find_events(smallest, on_line(smallest), 1 - smallest, on_line(1 - smallest), all, run);
     return all;
   }
 
@@ -94,20 +94,36 @@ class Borders {
     return {enclosed(&Place::x), enclosed(&Place::y), enclosed(&Place::X), enclosed(&Place::Y), enclosed(&Place::Z)};
   }
 
-  /// Adds the crossings of the line of s between t0 and t1 to `all`. `end`: end of the interval that arithmetic cannot
-  /// separate from the last border. Where a border runs along the line, this interval has a length.
-  void find(double s, double t0, double t1, std::vector<double>& all, double& end) const {
+  /// The interval that arithmetic cannot separate from the last border. Where a border runs along a line, it has a length.
+  /// What follows it is taken in steps of this length, since steps of the smallest one would be millions.
+  struct Run {
+    double begin = -1, end = -1;
+
+    bool goes_on_at(double t) const { return t - end < smallest; }
+    /// Adds an interval; returns whether it begins a run.
+    bool add(double from, double to) {
+      const bool is_new = !goes_on_at(from);
+      if (is_new) begin = from;
+      end = to;
+      return is_new;
+    }
+    /// Length of intervals from t on that are not divided.
+    double step_at(double t, double first, double next) const {
+      return goes_on_at(t) ? std::max(next, end - begin) : first;
+    }
+  };
+
+  /// Adds the crossings of the line of s between t0 and t1 to `all`.
+  void find(double s, double t0, double t1, std::vector<double>& all, Run& run) const {
     if (are_none(s, s, t0, t1)) return;
-    const bool goes_on = t0 - end < smallest;
-    if (t1 - t0 < (goes_on ? 1e-9 : 0.1 * smallest)) {
-      if (!goes_on) all.push_back(0.5 * (t0 + t1));
-      end = t1;
+    if (t1 - t0 < run.step_at(t0, 0.1 * smallest, 1e-9)) {
+      if (run.add(t0, t1)) all.push_back(0.5 * (t0 + t1));
       if (all.size() > most_borders) throw TooMany();
       return;
     }
     const double middle = 0.5 * (t0 + t1);
-    find(s, t0, middle, all, end);
-    find(s, middle, t1, all, end);
+    find(s, t0, middle, all, run);
+    find(s, middle, t1, all, run);
   }
 
   /// Returns the integrals over s of the widths of pieces between a and b; nothing if the number of pieces changes.
@@ -138,21 +154,19 @@ class Borders {
   }
 
   void find_events(double a, const std::vector<double>& on_a, double b, const std::vector<double>& on_b,
-                   std::vector<double>& all, double& end) const {
+                   std::vector<double>& all, Run& run) const {
     // A border often runs along the exact middle of a cell. All points of a line there are crossings.
     constexpr double nearly_half = 0.49;
     const double middle = a + nearly_half * (b - a);
-    const bool goes_on = a - end < smallest;
-    if (b - a < (goes_on ? 1e-8 : smallest)) {
-      if (!goes_on) all.push_back(middle);
-      end = b;
+    if (b - a < run.step_at(a, smallest, 1e-8)) {
+      if (run.add(a, b)) all.push_back(middle);
       if (all.size() > most_borders) throw TooMany();
       return;
     }
     const std::vector<double> between = on_line(middle);
     if (are_curves(a, on_a, between, b, on_b)) return;
-    find_events(a, on_a, middle, between, all, end);
-    find_events(middle, between, b, on_b, all, end);
+    find_events(a, on_a, middle, between, all, run);
+    find_events(middle, between, b, on_b, all, run);
   }
 
   /// Whether the crossings at a, at b and between them belong to smooth curves, with no other crossings between a and

@@ -13,12 +13,13 @@ namespace plastron::energy {
 namespace {
 
 /// Adds one load to the values of a cell.
-void add_pressure(const ShellOperator& shell, const geometry::Expression& pressure, std::size_t cell,
-                  Eigen::VectorXd& values) {
+void add_pressure(const ShellOperator& shell, const AreaLoad& load, std::size_t cell, Eigen::VectorXd& values) {
   const element::ElementTables& tables = shell.tables();
-  const auto places = shell.surface().places(shell.space().cells[cell], tables.quadrature.xi, pressure.uses_space());
-  std::vector<double> at_points(places.size());
-  pressure.evaluate(places, at_points);
+  const auto places = shell.surface().places(shell.space().cells[cell], tables.quadrature.xi,
+                                             load.pressure.uses_space() || load.where.uses_space());
+  std::vector<double> at_points(places.size()), acts(places.size());
+  load.pressure.evaluate(places, at_points);
+  load.where.evaluate(places, acts);
   for (std::size_t q = 0; q < places.size(); ++q) {
     if (!std::isfinite(at_points[q]))
       throw LoadError(
@@ -27,7 +28,7 @@ void add_pressure(const ShellOperator& shell, const geometry::Expression& pressu
                       places[q].x, places[q].y));
     const geometry::Frame frame = shell.frame_at(cell, static_cast<int>(q));
     const double side = frame.a_cov[0].cross(frame.a_cov[1]).dot(geometry::surface_normal(frame)) > 0 ? 1 : -1;
-    values[static_cast<Eigen::Index>(q)] += side * tables.weights[q] * at_points[q];
+    if (acts[q] != 0) values[static_cast<Eigen::Index>(q)] += side * tables.weights[q] * at_points[q];
   }
 }
 
@@ -52,7 +53,7 @@ std::vector<Eigen::VectorXd> follower_pressure(const ShellOperator& shell, const
     for (const AreaLoad& load : loads.on_areas) {
       if (!load.follows || !load.acts_in(region_of(*space.coarse, space.cells[c]))) continue;
       if (all[c].size() == 0) all[c] = Eigen::VectorXd::Zero(shell.tables().points_per_cell());
-      add_pressure(shell, load.pressure, c, all[c]);
+      add_pressure(shell, load, c, all[c]);
     }
   return all;
 }

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/SVD>
+
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -35,7 +37,7 @@ bool uses_space(const Load& load) {
   const auto any = [](const VectorExpression& f) { return std::ranges::any_of(f, &geometry::Expression::uses_space); };
   if constexpr (requires { load.pressure; })
     if (load.pressure.uses_space()) return true;
-  return any(load.force) || any(load.couple);
+  return load.where.uses_space() || any(load.force) || any(load.couple);
 }
 
 void add_function(const VectorFunction& f, std::span<const geometry::Place> places, int column,
@@ -43,6 +45,16 @@ void add_function(const VectorFunction& f, std::span<const geometry::Place> plac
   if (!f) return;
   for (std::size_t p = 0; p < places.size(); ++p)
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(places[p].x, places[p].y);
+}
+
+/// Sets values to 0 at places where a load does not act.
+void keep_where(const geometry::Expression& where, std::span<const geometry::Place> places,
+                element::CellField& values) {
+  if (where.is_constant() && where(0, 0) != 0) return;
+  std::vector<double> holds(places.size());
+  where.evaluate(places, holds);
+  for (std::size_t p = 0; p < places.size(); ++p)
+    if (holds[p] == 0) values.row(static_cast<Eigen::Index>(p)).setZero();
 }
 
 /// Pieces of expressions that have several pieces.
@@ -86,6 +98,7 @@ class LoadSum {
       pieces[k].add(all[k].force);
       pieces[k].add(all[k].couple);
       pieces[k].add(all[k].pressure);
+      pieces[k].add(all[k].where);
     }
     for (std::size_t c = 0; c < space_.owned_cells; ++c) {
       const RegionLoads loads = loads_on(c, all, pieces, gravity);
@@ -103,6 +116,7 @@ class LoadSum {
     LoadPieces pieces;
     pieces.add(load.force);
     pieces.add(load.couple);
+    pieces.add(load.where);
     element::PiecesOfAll functions;
     pieces.append_to(functions);
     for (const fem::BoundarySide& edge : space_.sides)
@@ -150,13 +164,15 @@ class LoadSum {
     const std::vector<geometry::Place> places = shell_.surface().places(space_.cells[c], xi, loads.use_space);
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     for (const AreaLoad* load : loads.loads) {
-      add_expression(load->force, places, 0, values);
-      add_expression(load->couple, places, 3, values);
-      add_function(load->force_function, places, 0, values);
-      add_function(load->couple_function, places, 3, values);
+      element::CellField own = element::CellField::Zero(values.rows(), 6);
+      add_expression(load->force, places, 0, own);
+      add_expression(load->couple, places, 3, own);
+      add_function(load->force_function, places, 0, own);
+      add_function(load->couple_function, places, 3, own);
       load->pressure.evaluate(places, pressure);
-      for (int q = 0; q < values.rows(); ++q)
-        values.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * normal(q);
+      for (int q = 0; q < own.rows(); ++q) own.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * normal(q);
+      keep_where(load->where, places, own);
+      values += own;
     }
     if (!loads.weight.isZero(0)) add_weight(loads, places, values);
     note(values, places);
@@ -236,6 +252,7 @@ class LoadSum {
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     add_expression(load.force, places, 0, values);
     add_expression(load.couple, places, 3, values);
+    keep_where(load.where, places, values);
     note(values, places);
     const Vector2d along = mesh::side_tangent(space_.shape(), edge.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
@@ -259,6 +276,97 @@ class LoadSum {
 
 namespace {
 
+algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads);
+
+/// The place of a load: its area, or its length, and centroid (collective).
+class LoadedPlace {
+ public:
+  LoadedPlace(const ShellOperator& shell, const TotalForce& load) : shell_(shell), load_(load) {
+    const auto sums = load.is_even() ? integrals({"1", "0", "0"}, {}) : integrals({"X", "Y", "Z"}, {"1", "0", "0"});
+    size_ = sums[load.is_even() ? 0 : 3];
+    if (size_ > 0) {
+      centre_ = sums.head<3>() / size_;
+      return;
+    }
+    if (load.spot)
+      throw LoadError(
+          fmt::format("a load acts nowhere: no place of the shell is nearer than radius = {:.6g} to its point "
+                      "({:.6g}, {:.6g}, {:.6g}); correct the point, or give a larger radius",
+                      load.spot->radius, load.spot->point[0], load.spot->point[1], load.spot->point[2]));
+    throw LoadError(fmt::format("a load acts nowhere: where = \"{}\" holds at no place of it", load.where.text()));
+  }
+
+  /// Returns forces that have the sum and the moment of the load.
+  algebra::Vector forces() const {
+    const Vector3d even = load_.force / size_;
+    if (load_.is_even())
+      return forces_of(shell_, load_.spread({geometry::Expression(even[0]), geometry::Expression(even[1]),
+                                             geometry::Expression(even[2])}));
+    const Vector3d arm = load_.spot ? Vector3d(load_.spot->point - centre_) : Vector3d::Zero();
+    const Vector3d omega = rotation(load_.moment + arm.cross(load_.force));
+    const auto component = [&](int k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      return fmt::format("{:.17g} + ({:.17g}) * {} - ({:.17g}) * {}", even[k], omega[i], from_centre(j), omega[j],
+                         from_centre(i));
+    };
+    return forces_of(shell_, load_.spread(expressions({component(0), component(1), component(2)})));
+  }
+
+ private:
+  using Texts = std::array<std::string, 3>;
+
+  static VectorExpression expressions(const Texts& texts) {
+    VectorExpression f;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!texts[k].empty()) f[k] = geometry::Expression::made(texts[k], {});
+    return f;
+  }
+
+  /// Returns the text of a component of X - c.
+  std::string from_centre(int k) const { return fmt::format("({} - ({:.17g}))", "XYZ"[k], centre_[k]); }
+
+  /// Returns the integrals of six functions.
+  Eigen::Vector<double, 6> integrals(const Texts& first, const Texts& second) const {
+    Loads loads = load_.spread(expressions(first));
+    for (AreaLoad& load : loads.on_areas) load.couple = expressions(second);
+    for (EdgeLoad& load : loads.on_edges) load.couple = expressions(second);
+    const algebra::Vector f = forces_of(shell_, loads);
+    Eigen::Vector<double, 6> sums = Eigen::Vector<double, 6>::Zero();
+    for (std::size_t at = 0; at < f.owned().size(); at += 6)
+      for (std::size_t k = 0; k < 6; ++k) sums[static_cast<Eigen::Index>(k)] += f.owned()[at + k];
+    for (double& sum : sums) sum = algebra::sum_over_ranks(sum, shell_.space().layout->comm);
+    return sums;
+  }
+
+  /// Returns omega with int d x (omega x d) = M, d = X - c.
+  Vector3d rotation(const Vector3d& moment) const {
+    const Texts d{from_centre(0), from_centre(1), from_centre(2)};
+    const auto products = integrals({d[0] + "^2", d[1] + "^2", d[2] + "^2"},
+                                    {d[1] + " * " + d[2], d[2] + " * " + d[0], d[0] + " * " + d[1]});
+    Eigen::Matrix3d inertia = products.head<3>().sum() * Eigen::Matrix3d::Identity();
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      inertia(k, k) -= products[k];
+      inertia(i, j) -= products[3 + k];
+      inertia(j, i) -= products[3 + k];
+    }
+    constexpr double straight = 1e-9;  // relative to the largest inertia
+    Eigen::JacobiSVD<Eigen::Matrix3d> solver(inertia, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    solver.setThreshold(straight);
+    const Vector3d omega = solver.solve(moment);
+    if ((inertia * omega - moment).norm() > straight * moment.norm())
+      throw LoadError(
+          "the moment of a load turns about the straight line of its places, and forces on a line have no moment about "
+          "it; give the load a region or a point, or write it as couple");
+    return omega;
+  }
+
+  const ShellOperator& shell_;
+  const TotalForce& load_;
+  double size_ = 0;  ///< area or length
+  Vector3d centre_ = Vector3d::Zero();
+};
+
 /// Returns the forces of loads, without those of rigid bodies (collective).
 algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads) {
   algebra::Vector f(shell.space().layout, 6);
@@ -270,15 +378,7 @@ algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads) {
     sum.throw_if_not_finite();
   });
   f.accumulate_ghosts();
-  for (const TotalForce& total : loads.totals) {
-    const algebra::Vector unit = forces_of(shell, total.spread({1, 0, 0}));
-    double sum = 0;  // the area or the length
-    for (std::size_t at = 0; at < unit.owned().size(); at += 6) sum += unit.owned()[at];
-    sum = algebra::sum_over_ranks(sum, shell.space().layout->comm);
-    for (std::size_t at = 0; at < unit.owned().size() && sum > 0; at += 6)
-      for (std::size_t k = 0; k < 3; ++k)
-        f.owned()[at + k] += total.force[static_cast<Eigen::Index>(k)] * (unit.owned()[at] / sum);
-  }
+  for (const TotalForce& total : loads.totals) algebra::axpy(1, LoadedPlace(shell, total).forces(), f);
   return f;
 }
 

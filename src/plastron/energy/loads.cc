@@ -1,5 +1,7 @@
 #include <plastron/energy/loads.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -33,16 +35,30 @@ void scale_function(VectorFunction& f, double factor) {
 
 }  // namespace
 
-Loads TotalForce::spread(const Eigen::Vector3d& density) const {
-  VectorExpression p;
-  for (std::size_t k = 0; k < 3; ++k) p[k] = geometry::Expression(density[static_cast<Eigen::Index>(k)]);
+geometry::Expression Spot::inside() const {
+  return geometry::Expression::made(fmt::format("(X - ({:.17g}))^2 + (Y - ({:.17g}))^2 + (Z - ({:.17g}))^2 < {:.17g}",
+                                                point[0], point[1], point[2], radius * radius),
+                                    {});
+}
+
+Loads TotalForce::spread(const VectorExpression& density) const {
+  const geometry::Expression place = spot ? spot->inside() : where;
   Loads loads;
-  for (const std::string& boundary : boundaries) loads.on_edges.push_back({.boundary = boundary, .force = p});
-  if (boundaries.empty()) loads.on_areas.push_back({.force = p, .regions = regions});
+  for (const std::string& boundary : boundaries)
+    loads.on_edges.push_back({.boundary = boundary, .force = density, .where = place});
+  if (boundaries.empty()) loads.on_areas.push_back({.force = density, .regions = regions, .where = place});
   return loads;
 }
 
-void Loads::for_each_expression(const Visit& visit) const { visit_expressions(*this, visit); }
+void Loads::for_each_expression(const Visit& visit) const {
+  visit_expressions(*this, visit);
+  const std::string name = "the place of a load";
+  for (const AreaLoad& load : on_areas) visit(load.where, name, {.regions = load.regions});
+  for (const EdgeLoad& load : on_edges) visit(load.where, name, {.boundary = load.boundary});
+  for (const TotalForce& load : totals)
+    visit(load.where, name,
+          {.boundary = load.boundaries.empty() ? "" : load.boundaries.front(), .regions = load.regions});
+}
 
 std::vector<std::string> Loads::region_names() const {
   std::vector<std::string> names;
@@ -76,7 +92,10 @@ void Loads::scale(double factor) {
     scale_function(load.force_function, factor);
     scale_function(load.couple_function, factor);
   }
-  for (TotalForce& load : totals) load.force *= factor;
+  for (TotalForce& load : totals) {
+    load.force *= factor;
+    load.moment *= factor;
+  }
   gravity *= factor;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct AreaLoad {
   VectorFunction force_function{};     ///< added to `force`; empty in loads from case files
   VectorFunction couple_function{};    ///< added to `couple`
   std::vector<std::string> regions{};  ///< regions where the load acts; empty: everywhere
+  geometry::Expression where{1.0};     ///< the load acts at places where this is not 0
   int factor = -1;                     ///< see Factors::named
 
   bool acts_in(const std::string& region) const {
@@ -43,20 +45,35 @@ struct AreaLoad {
 /// Dead load per unit length of the curve phi(Gamma), on the boundary or inside the shell.
 struct EdgeLoad {
   std::string boundary{};
-  VectorExpression force{};   ///< n [N/m]
-  VectorExpression couple{};  ///< k, does work on r [N m/m]
-  int factor = -1;            ///< see Factors::named
+  VectorExpression force{};         ///< n [N/m]
+  VectorExpression couple{};        ///< k, does work on r [N m/m]
+  geometry::Expression where{1.0};  ///< the load acts at places where this is not 0
+  int factor = -1;                  ///< see Factors::named
 };
 
-/// Dead force of a known sum, spread evenly over the area of regions or, if boundaries are named, over their length.
+/// A point in space and the places of the shell that are nearer to it than a radius.
+struct Spot {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double radius = 0;
+
+  /// Returns 1 inside and 0 outside, as an expression of X, Y, Z.
+  geometry::Expression inside() const;
+};
+
+/// Dead force F and moment M of known sums, spread over an area or, if boundaries are named, over a length. The force per area is
+/// F / A + omega x (X - c): c is the centroid, A the area, and omega gives the moment M about the spot's point, or about c.
 struct TotalForce {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m]
   std::vector<std::string> boundaries{};
   std::vector<std::string> regions{};  ///< empty: everywhere
+  geometry::Expression where{1.0};     ///< the load acts at places where this is not 0
+  std::optional<Spot> spot{};          ///< the load acts inside this alone, and `where` is not used
   int factor = -1;                     ///< see Factors::named
 
+  bool is_even() const { return !spot && moment.isZero(0); }
   /// Returns the loads of a force per area or length at its place.
-  Loads spread(const Eigen::Vector3d& density) const;
+  Loads spread(const VectorExpression& density) const;
 };
 
 /// Where a load acts: on a boundary or, if that is empty, on regions.
