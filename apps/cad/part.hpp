@@ -22,10 +22,11 @@ inline Vector3d vector_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 inline Vector3d vector_of(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 inline gp_Pnt point_of(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 inline gp_Vec gp_vec_of(const Vector3d& v) { return {v[0], v[1], v[2]}; }
-double length_of(const TopoDS_Edge& edge);      ///< [mm]
-double volume_of(const TopoDS_Shape& shape);    ///< [mm^3]
-double area_of(const TopoDS_Shape& shape);      ///< [mm^2]
-double diagonal_of(const TopoDS_Shape& shape);  ///< of a box around it; throws PartError if there is nothing [mm]
+double length_of(const TopoDS_Edge& edge);          ///< [mm]
+double volume_of(const TopoDS_Shape& shape);        ///< [mm^3]
+double area_of(const TopoDS_Shape& shape);          ///< [mm^2]
+double precise_area_of(const TopoDS_Shape& shape);  ///< to ten digits [mm^2]
+double diagonal_of(const TopoDS_Shape& shape);      ///< of a box around it; throws PartError if there is nothing [mm]
 
 /// Name and colour of a face in the CAD file.
 struct FaceLabel {

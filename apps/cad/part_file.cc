@@ -193,6 +193,13 @@ double area_of(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
+double precise_area_of(const TopoDS_Shape& shape) {
+  constexpr double digits = 1e-11;
+  GProp_GProps properties;
+  BRepGProp::SurfaceProperties(shape, properties, digits);
+  return properties.Mass();
+}
+
 double length_of(const TopoDS_Edge& edge) {
   GProp_GProps properties;
   BRepGProp::LinearProperties(edge, properties);

@@ -106,6 +106,26 @@ TEST(PieceRules, FollowBordersInACurvedCell) {
   EXPECT_NEAR(below, std::log(1.5), 1e-8);
 }
 
+/// In a small cell far from zero, arithmetic cannot tell a line beside a border along it from the border.
+TEST(PieceRules, FollowBordersAlongLinesOfSmallCells) {
+  for (const char* function : {"x < 0.36", "y > 0.36", "abs(x - 0.31) < 0.05 && abs(y - 0.35) < 0.01"}) {
+    const geometry::Pieces pieces(geometry::Expression(function, {}));
+    for (int cells = 50; cells < 4000; cells += 137) {
+      const double size = 1.0 / cells, low = std::floor(0.36 * cells) * size;
+      std::size_t looks = 0;
+      const Places places = [&](std::span<const Vector2d> xi) {
+        ++looks;
+        std::vector<geometry::Place> in_cell;
+        for (const Vector2d& at : xi) in_cell.push_back({.x = low + size * at[0], .y = low + size * at[1]});
+        return in_cell;
+      };
+      if (are_one_piece({&pieces}, Shape::quadrilateral, places)) continue;
+      EXPECT_TRUE(rule_between_borders({&pieces}, Shape::quadrilateral, 2, places)) << function << cells;
+      EXPECT_LT(looks, 40'000) << function << cells;
+    }
+  }
+}
+
 TEST(PieceRules, FindNoBorderWhereAFunctionIsSmooth) {
   const geometry::Pieces smooth(geometry::Expression("sin(x)*y", {})), elsewhere(geometry::Expression("x < 1.5", {})),
       here(geometry::Expression("x < 0.999", {}));
