@@ -3,6 +3,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,7 +32,8 @@ struct Job {
   std::optional<double> size{};          ///< sides of the cells, in the case's unit
   std::optional<double> tolerance{};     ///< edges nearer than this are one edge, in the case's unit
   std::optional<double> thickness{};     ///< of the shell, if it is one number, in the case's unit
-  double offset = 0;                     ///< of the case, as a part of the thickness
+  std::map<std::string, std::optional<double>> thicknesses{};  ///< the same of regions, by name
+  double offset = 0;                                           ///< of the case, as a part of the thickness
   bool takes_skins = false;  ///< whether the faces of thin solids are the shell, and not the middle between them
   nlohmann::json faces{};    ///< which faces are the shell; null: all
   std::vector<Selection> regions{}, boundaries{};

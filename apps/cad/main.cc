@@ -94,13 +94,15 @@ std::vector<std::string> notes_of(const std::string& unit, std::size_t faces, co
   std::set<int> numbers;
   for (const LabelledFace& face : part.labelled) numbers.insert(face.number);
   const double area = precise_area_of(part.shape);
+  const bool is_moved = std::ranges::any_of(part.labelled, [](const LabelledFace& face) { return face.to_middle > 0; });
   double of_cells = 0;
   for (const auto& cell : topology::patch_integrals(mesh.surface, Vector3d::Zero())) of_cells += cell.area;
   notes.push_back(
-      fmt::format("{} of {} faces of the file{} are meshed, {:.10g} m^2; {} cells of degree {} with sides of "
-                  "about {:.3g} m, whose area differs by {:.1e} of it",
+      fmt::format("{} of {} faces of the file{} are meshed, {:.10g} m^2{}; {} cells of degree {} "
+                  "with sides of about {:.3g} m, whose area differs by {:.1e} of it",
                   numbers.size(), faces, unit.empty() ? "" : fmt::format(" (in {})", unit), area / (mm * mm),
-                  mesh.surface.cells.size(), mesh.degree, size / mm, std::abs(of_cells - area) / area));
+                  is_moved ? " before they are moved" : "", mesh.surface.cells.size(), mesh.degree, size / mm,
+                  std::abs(of_cells - area) / area));
   constexpr double large = 0.01;  // [rad]
   const bool is_rough = mesh.error.direction > large;
   notes.push_back(fmt::format("{}the cells are up to {:.1e} m off the faces, and their normals {:.1e} degrees{}",

@@ -1,5 +1,6 @@
 #include "mid_surface.hpp"
 
+#include "face_surface.hpp"
 #include "ribs.hpp"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -97,6 +98,11 @@ struct Sheet {
   bool is_whole = true;  ///< whether no other sheet interrupts this side
 };
 
+struct Sheets {
+  std::vector<Sheet> all{};
+  std::map<int, int> of_side{};  ///< 2 sheet, or 2 sheet + 1 for the other side
+};
+
 /// The faces of one solid.
 class Solid {
  public:
@@ -105,6 +111,10 @@ class Solid {
     TopExp::MapShapes(shape, TopAbs_FACE, map_);
     for (std::size_t i = 0; i < faces_.size(); ++i) index_[map_.FindIndex(faces_[i].face)] = static_cast<int>(i);
     for (const LabelledFace& face : faces_) opposite_.push_back(behind(face.face));
+    for (std::size_t i = 0; i < faces_.size(); ++i)  // places of a large face miss a narrow one
+      for (const int other : opposite_[i].faces)
+        if (std::abs(opposite_[other].distance - opposite_[i].distance) <= same * opposite_[i].distance)
+          opposite_[other].faces.insert(static_cast<int>(i));
     size_ = diagonal_of(shape);
     find_neighbours(shape);
     find_skins();
@@ -116,19 +126,15 @@ class Solid {
 
   /// The faces that are meshed, with their thickness. Throws PartError.
   SheetSides sides() const {
-    const std::vector<Sheet> sheets = this->sheets();
+    const Sheets sheets = this->sheets();
     check_rims();
+    check_thickness(sheets);
     SheetSides result;
-    for (const Sheet& sheet : sheets)
+    for (const Sheet& sheet : sheets.all)
       for (const int i : sheet.faces) {
         LabelledFace face = faces_[i];
         face.thickness = sheet.thickness;
-        if (std::abs(opposite_[i].distance - sheet.thickness) > same * sheet.thickness)
-          throw PartError(fmt::format(
-              "face {} has the thickness {:.6g} mm and its neighbours {:.6g} mm; a sheet has one thickness: "
-              "choose the faces: faces = [...]",
-              face.number, opposite_[i].distance, sheet.thickness));
-        if (sheet.is_whole && (sheets.size() == 1 || !is_plane(sheet)))
+        if (sheet.is_whole && (sheets.all.size() == 1 || !is_plane(sheet)))
           face.to_middle = sheet.thickness / 2;
         else
           extend(i, sheets, face, result);
@@ -222,11 +228,17 @@ class Solid {
     });
   }
 
+  /// An edge with its orientation in a face.
+  TopoDS_Edge oriented(const TopoDS_Edge& edge, int face) const {
+    for (TopExp_Explorer own(faces_[face].face, TopAbs_EDGE); own.More(); own.Next())
+      if (own.Current().IsSame(edge)) return TopoDS::Edge(own.Current());
+    return edge;
+  }
+
   /// Finds the edges at which sheets meet: edges of two skins that do not go on, and fillets between such skins.
   void find_joints() {
     const auto add = [&](int face, const TopoDS_Edge& edge, int target) {
-      for (TopExp_Explorer own(faces_[face].face, TopAbs_EDGE); own.More(); own.Next())
-        if (own.Current().IsSame(edge)) joints_.push_back({face, TopoDS::Edge(own.Current()), target});
+      joints_.push_back({face, oriented(edge, face), target});
     };
     for (const Neighbours& n : neighbours_)
       if (is_skin_[n.a] && is_skin_[n.b] && !go_on(n.a, n.b)) {
@@ -283,7 +295,7 @@ class Solid {
   }
 
   /// Finds the sheets, and for each the side that is meshed. Throws PartError.
-  std::vector<Sheet> sheets() const {
+  Sheets sheets() const {
     std::map<int, std::set<int>> partners;  // of sides
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (is_skin_[i]) {
@@ -294,8 +306,8 @@ class Solid {
             partners[side_[other]].insert(side_[i]);
           }
       }
-    std::map<int, int> colour;  // of a side: 2 sheet, or 2 sheet + 1 on its other face
-    std::vector<Sheet> all;
+    Sheets sheets;
+    auto& [all, colour] = sheets;
     for (const auto& [first, unused] : partners) {
       if (colour.contains(first)) continue;
       const int own = 2 * static_cast<int>(all.size());
@@ -314,7 +326,19 @@ class Solid {
       all.push_back(better_side(colour, own));
     }
     check_connected(colour, all);
-    return all;
+    return sheets;
+  }
+
+  void check_thickness(const Sheets& sheets) const {
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (!is_skin_[i]) continue;
+      const double thickness = sheets.all[sheets.of_side.at(side_[i]) / 2].thickness;
+      if (std::abs(opposite_[i].distance - thickness) > same * thickness)
+        throw PartError(
+            fmt::format("face {} has the thickness {:.6g} mm and other faces of its sheet {:.6g} mm; a sheet has one "
+                        "thickness: choose the faces: faces = [...]",
+                        faces_[i].number, opposite_[i].distance, thickness));
+    }
   }
 
   /// The side of a sheet that fewer sheets interrupt, that has fewer pieces, or that is larger.
@@ -367,15 +391,14 @@ class Solid {
     if (std::ranges::any_of(group, [](int g) { return g != 0; })) throw_no_sheet();
   }
 
-  /// The sheet of a face, on either side.
-  const Sheet& sheet_at(int face, const std::vector<Sheet>& sheets) const {
-    const auto has = [&](const Sheet& sheet) {
-      return std::ranges::any_of(sheet.faces, [&](int own) {
-        return side_[own] == side_[face] ||
-               std::ranges::any_of(opposite_[own].faces, [&](int other) { return side_[other] == side_[face]; });
-      });
-    };
-    return *std::ranges::find_if(sheets, has);
+  const Sheet& sheet_at(int face, const Sheets& sheets) const { return sheets.all[sheets.of_side.at(side_[face]) / 2]; }
+
+  /// The face of the meshed side at a face of either side.
+  int meshed_face_at(int face, const Sheet& sheet) const {
+    const auto is_meshed = [&](int i) { return std::ranges::find(sheet.faces, i) != sheet.faces.end(); };
+    if (is_meshed(face)) return face;
+    const auto found = std::ranges::find_if(opposite_[face].faces, is_meshed);
+    return found == opposite_[face].faces.end() ? sheet.faces.front() : *found;
   }
 
   /// The plane in the middle of a sheet, with a face of it.
@@ -391,15 +414,16 @@ class Solid {
     return plane;
   }
 
-  /// Whether the side is one plane face, which the kernel can move to the middle.
+  /// Whether all faces of the side are plane, so that the kernel can move them to the middle.
   bool is_plane(const Sheet& sheet) const {
-    return sheet.faces.size() == 1 && BRepAdaptor_Surface(faces_[sheet.faces.front()].face).GetType() == GeomAbs_Plane;
+    return std::ranges::all_of(
+        sheet.faces, [&](int face) { return BRepAdaptor_Surface(faces_[face].face).GetType() == GeomAbs_Plane; });
   }
 
   Vector3d outward_of(int index) const { return places_on(faces_[index].face).front().outward; }
 
   /// Moves a plane face to the middle of its sheet, and extends it to the sheets on which it ends.
-  void extend(int index, const std::vector<Sheet>& sheets, LabelledFace& face, SheetSides& result) const {
+  void extend(int index, const Sheets& sheets, LabelledFace& face, SheetSides& result) const {
     Rib rib{.face = face.face,
             .middle = middle_of(index, face.thickness),
             .outward = outward_of(index),
@@ -411,13 +435,19 @@ class Solid {
       if (target.is_whole && !is_plane(target))
         for (const int i : target.faces) end.borders.push_back(faces_[i].face);
       else
-        end.borders.push_back(
-            BRepBuilderAPI_MakeFace(middle_of(target.faces.front(), target.thickness), -size_, size_, -size_, size_));
+        end.borders.push_back(BRepBuilderAPI_MakeFace(middle_of(meshed_face_at(joint.target, target), target.thickness),
+                                                      -size_, size_, -size_, size_));
       // Where both sheets are interrupted, each fills a part of the other's gap.
       result.overlap += length_of(joint.edge) * face.thickness * target.thickness / (target.is_whole ? 2 : 4);
       rib.ends.push_back(std::move(end));
+      ++result.joints;
     }
-    result.joints += static_cast<int>(rib.ends.size());
+    const Sheet& own = sheet_at(index, sheets);
+    for (const Neighbours& n : neighbours_) {
+      const int other = n.a == index ? n.b : n.b == index ? n.a : -1;
+      if (other < 0 || std::ranges::find(own.faces, other) == own.faces.end() || is_smooth(n)) continue;
+      rib.bends.push_back({.edge = oriented(n.edge, index), .other_middle = middle_of(other, face.thickness)});
+    }
     face.face = extended(rib, face.thickness, size_);
   }
 
@@ -559,6 +589,85 @@ void spread_moves(const JoinedPart& joined, const SampledMesh& mesh, std::vector
   });
 }
 
+/// The same where cells are too small to take it up: it fades out over the distance from the nodes where faces meet.
+void fade_moves(const JoinedPart& joined, const SampledMesh& mesh, std::vector<Vector3d>& moves) {
+  struct Source {
+    Vector3d position, along;
+  };
+  std::vector<Vector3d> ordinary(moves.size(), Vector3d::Zero());
+  std::vector<Source> sources;
+  for (const topology::SurfaceCell& cell : mesh.surface.cells)
+    for (std::size_t k = 0; k < cell.nodes.size(); ++k)
+      ordinary[static_cast<std::size_t>(cell.nodes[k])] =
+          -joined.labelled[static_cast<std::size_t>(cell.region) - 1].to_middle * cell.normals[k];
+  constexpr double negligible = 1e-6, reach = 4;  // relative to the move
+  std::vector<bool> is_source(moves.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const Vector3d along = moves[i] - ordinary[i];
+    is_source[i] = along.norm() > negligible * moves[i].norm();
+    if (is_source[i]) sources.push_back({mesh.surface.nodes[i], along});
+  }
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (is_source[i]) continue;
+    double nearest = HUGE_VAL, weights = 0, size = 0;
+    Vector3d along = Vector3d::Zero();
+    for (const Source& source : sources) {
+      const double distance = (source.position - mesh.surface.nodes[i]).norm(), weight = std::pow(distance, -6);
+      nearest = std::min(nearest, distance);
+      weights += weight;
+      along += weight * source.along;
+      size += weight * source.along.norm();
+    }
+    const double t = nearest / (reach * size / weights);
+    if (t < 1) moves[i] += (1 - t) * (1 - t) * (1 + 2 * t) * along / weights;
+  }
+}
+
+/// Nodes that moved along curved faces have left the middle: moves them to the place that has the distance from all faces of its
+/// cells, and takes the normals there.
+void put_on_middles(const JoinedPart& joined, SampledMesh& mesh, const std::vector<Vector3d>& moves) {
+  struct At {
+    int face;
+    Vector3d* normal;
+  };
+  std::map<std::int32_t, std::vector<At>> moved;
+  std::vector<FaceSurface> surfaces;
+  surfaces.reserve(joined.labelled.size());
+  for (const LabelledFace& face : joined.labelled) surfaces.emplace_back(face.face);
+  constexpr double negligible = 1e-9;
+  for (topology::SurfaceCell& cell : mesh.surface.cells)
+    for (std::size_t k = 0; k < cell.nodes.size(); ++k) {
+      const double to_middle = joined.labelled[static_cast<std::size_t>(cell.region) - 1].to_middle;
+      const Vector3d& move = moves[static_cast<std::size_t>(cell.nodes[k])];
+      if ((move + to_middle * cell.normals[k]).norm() > negligible * move.norm()) moved[cell.nodes[k]];
+    }
+  for (topology::SurfaceCell& cell : mesh.surface.cells)
+    for (std::size_t k = 0; k < cell.nodes.size(); ++k)
+      if (const auto found = moved.find(cell.nodes[k]); found != moved.end())
+        found->second.push_back({cell.region - 1, &cell.normals[k]});
+  for (auto& [node, places] : moved) {
+    Vector3d& position = mesh.surface.nodes[static_cast<std::size_t>(node)];
+    constexpr int steps = 6;
+    for (int step = 0; step < steps; ++step) {
+      Eigen::MatrixX3d normals(static_cast<Eigen::Index>(places.size()), 3);
+      Eigen::VectorXd missing(normals.rows());
+      for (Eigen::Index k = 0; k < normals.rows(); ++k) {
+        const At& at = places[static_cast<std::size_t>(k)];
+        const FacePoint foot = surfaces[static_cast<std::size_t>(at.face)].nearest(position);
+        if (foot.normal) *at.normal = *foot.normal;
+        normals.row(k) = *at.normal;
+        missing[k] =
+            -joined.labelled[static_cast<std::size_t>(at.face)].to_middle - at.normal->dot(position - foot.position);
+      }
+      Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
+      svd.setThreshold(1e-3);
+      const Vector3d change = svd.solve(missing);
+      position += change;
+      if (change.norm() < negligible) break;
+    }
+  }
+}
+
 }  // namespace
 
 void move_to_middle(const PartFile& part, const JoinedPart& joined, SampledMesh& mesh) {
@@ -590,13 +699,24 @@ void move_to_middle(const PartFile& part, const JoinedPart& joined, SampledMesh&
     svd.setThreshold(1e-3);
     moves[i] = svd.solve(distances);
   }
-  spread_moves(joined, mesh, moves);
-  for (std::size_t i = 0; i < moves.size(); ++i) mesh.surface.nodes[i] += moves[i];
+  const SampledMesh before = mesh;
+  const auto move_by = [&](const std::vector<Vector3d>& by) {
+    for (std::size_t i = 0; i < by.size(); ++i) mesh.surface.nodes[i] += by[i];
+    put_on_middles(joined, mesh, by);
+  };
+  std::vector<Vector3d> spread = moves;
+  spread_moves(joined, mesh, spread);
+  move_by(spread);
+  if (worst_shape(mesh).first < fair_shape) {
+    mesh = before;
+    fade_moves(joined, mesh, moves);
+    move_by(moves);
+  }
   if (const auto [shape, place] = worst_shape(mesh); shape < least_shape)
     throw PartError(fmt::format(
         "a cell folds over when it is moved to the middle of its sheet, at ({:.6g}, {:.6g}, {:.6g}) mm: faces "
         "that meet there are narrower than the sheet is thick, or cells are; choose the faces of the shell: "
-        "faces = [...], or take a larger size",
+        "faces = [...], or give size",
         place[0], place[1], place[2]));
   check_inside(part, joined, mesh);
 }

@@ -26,6 +26,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <iterator>
@@ -42,10 +43,15 @@ struct Beyond {
   Vector3d outward;  ///< normal of the face
   double reach = 0;  ///< width of a strip that crosses the borders [mm]
 
-  Beyond(const RibEnd& end, const Rib& rib, const gp_Trsf& move, double size) : outward(rib.outward) {
-    const TopoDS_Edge edge = TopoDS::Edge(BRepBuilderAPI_Transform(end.edge, move, true).Shape());
+  Beyond(const TopoDS_Edge& of_face, const Rib& rib, const gp_Trsf& move, double width)
+      : outward(rib.outward), reach(width) {
+    const TopoDS_Edge edge = TopoDS::Edge(BRepBuilderAPI_Transform(of_face, move, true).Shape());
     curve = BRep_Tool::Curve(edge, first, last);
     sense = edge.Orientation() == TopAbs_REVERSED ? -1 : 1;
+  }
+
+  /// Finds the reach.
+  Beyond(const RibEnd& end, const Rib& rib, const gp_Trsf& move, double size) : Beyond(end.edge, rib, move, 0.0) {
     IntCurvesFace_ShapeIntersector hits;
     TopoDS_Compound all;
     const BRep_Builder builder;
@@ -115,6 +121,7 @@ std::vector<std::pair<TopoDS_Face, gp_Pnt>> corners(const Beyond& a, const Beyon
 
 /// The piece of a face at a point, where borders divide the face; a null face if they do not.
 TopoDS_Face piece_at(const gp_Pnt& point, const TopoDS_Face& face, const std::vector<TopoDS_Face>& borders) {
+  if (borders.empty()) return face;
   BRepAlgoAPI_Splitter splitter;
   TopTools_ListOfShape parts, tools;
   parts.Append(face);
@@ -140,6 +147,43 @@ TopoDS_Face turned_to(const Vector3d& normal, const TopoDS_Face& face) {
   const bool is_direct = BRepAdaptor_Surface(face, false).Plane().Direct();
   const double sense = (is_direct ? 1 : -1) * (face.Orientation() == TopAbs_REVERSED ? -1 : 1);
   return sense * Vector3d(own.X(), own.Y(), own.Z()).dot(normal) > 0 ? face : TopoDS::Face(face.Reversed());
+}
+
+/// The largest part of a face that the line of a bend divides; the face itself where the line does not.
+TopoDS_Face cut_at(const Beyond& bend, const gp_Pln& other, const gp_Pln& own, double beyond, const TopoDS_Face& face) {
+  const Vector3d n(own.Axis().Direction().X(), own.Axis().Direction().Y(), own.Axis().Direction().Z()),
+      m(other.Axis().Direction().X(), other.Axis().Direction().Y(), other.Axis().Direction().Z());
+  const Vector3d along = n.cross(m).normalized(), across = along.cross(m);
+  const auto on_line = [&](double at) {  // in both planes, beside a point of the edge
+    const Vector3d p = vector_of(bend.curve->Value(at));
+    Eigen::Matrix3d rows;
+    rows << n.transpose(), m.transpose(), along.transpose();
+    return Vector3d(rows.inverse() *
+                    Vector3d(n.dot(vector_of(own.Location())), m.dot(vector_of(other.Location())), along.dot(p)));
+  };
+  Vector3d from = on_line(bend.first), to = on_line(bend.last);
+  const Vector3d further = beyond * (to - from).normalized();
+  from -= further;
+  to += further;
+  BRepBuilderAPI_MakePolygon outline(point_of(from - beyond * across), point_of(to - beyond * across),
+                                     point_of(to + beyond * across), point_of(from + beyond * across), true);
+  BRepAlgoAPI_Splitter splitter;
+  TopTools_ListOfShape parts, tools;
+  parts.Append(face);
+  tools.Append(BRepBuilderAPI_MakeFace(other, outline.Wire()).Face());
+  splitter.SetArguments(parts);
+  splitter.SetTools(tools);
+  splitter.SetRunParallel(false);
+  splitter.Build();
+  if (splitter.HasErrors()) return {};
+  TopoDS_Face largest;
+  double area = 0;
+  for (TopExp_Explorer piece(splitter.Shape(), TopAbs_FACE); piece.More(); piece.Next())
+    if (const double own_area = area_of(piece.Current()); own_area > area) {
+      area = own_area;
+      largest = TopoDS::Face(piece.Current());
+    }
+  return largest;
 }
 
 /// One face of faces in one plane that touch; a null face if several are left.
@@ -174,17 +218,25 @@ TopoDS_Face extended(const Rib& rib, double thickness, double size) {
   move.SetTranslation(gp_vec_of(-thickness / 2 * rib.outward));
   std::vector<TopoDS_Face> pieces{TopoDS::Face(BRepBuilderAPI_Transform(rib.face, move, true).Shape())};
   std::vector<Beyond> beyond;
+  std::vector<std::vector<TopoDS_Face>> borders;
+  double farthest = 2 * thickness;
   for (const RibEnd& end : rib.ends) {
     beyond.emplace_back(end, rib, move, size);
+    borders.push_back(end.borders);
     if (!(beyond.back().reach > 0)) fail();
+    farthest = std::max(farthest, beyond.back().reach);
+  }
+  for (const RibBend& bend : rib.bends) {  // wide enough for bends of 150 degrees
+    beyond.emplace_back(bend.edge, rib, move, 2 * thickness);
+    borders.emplace_back();
   }
   for (std::size_t i = 0; i < beyond.size(); ++i) {
-    pieces.push_back(piece_at(beyond[i].middle(), beyond[i].strip(rib.middle), rib.ends[i].borders));
+    pieces.push_back(piece_at(beyond[i].middle(), beyond[i].strip(rib.middle), borders[i]));
     for (std::size_t k = 0; k < i; ++k) {
-      std::vector<TopoDS_Face> borders = rib.ends[i].borders;
-      std::ranges::copy(rib.ends[k].borders, std::back_inserter(borders));
+      std::vector<TopoDS_Face> both = borders[i];
+      std::ranges::copy(borders[k], std::back_inserter(both));
       for (const auto& [corner, point] : corners(beyond[i], beyond[k], rib.middle))
-        pieces.push_back(piece_at(point, corner, borders));
+        pieces.push_back(piece_at(point, corner, both));
     }
   }
   for (TopoDS_Face& piece : pieces) {
@@ -192,6 +244,8 @@ TopoDS_Face extended(const Rib& rib, double thickness, double size) {
     piece = turned_to(rib.outward, piece);
   }
   TopoDS_Face whole = united(pieces);
+  for (std::size_t k = 0; k < rib.bends.size() && !whole.IsNull(); ++k)
+    whole = cut_at(beyond[rib.ends.size() + k], rib.bends[k].other_middle, rib.middle, farthest, whole);
   if (whole.IsNull()) fail();
   return whole;
 }

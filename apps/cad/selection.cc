@@ -100,6 +100,7 @@ std::vector<bool> nearest_of(const json& at, double mm, const std::vector<TopoDS
   if (found.size() > 1)
     throw PartError(fmt::format("at = {} is as near to {}; give a place nearer to one of them", at.dump(),
                                 fmt::join(found, " as to ")));
+  for (std::size_t i = 0; i < names.size(); ++i) is_nearest[i] = found.contains(names[i]);
   return is_nearest;
 }
 

@@ -82,29 +82,39 @@ TEST(LoadVector, ATotalForceIsTheSumOfAnEvenLoad) {
     }
 }
 
-/// Places that are smaller than a cell, larger, and cut by the rim, with a point that is not their centroid.
+/// Spots that are smaller than a cell, larger, and cut by the rim. The moment is about the centroid of the even force.
 TEST(LoadVector, ForceAndMomentAtAPointAreTheGivenOnes) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(-1, 1);
   const auto vector = [&] { return Eigen::Vector3d(part(random), part(random), part(random)); };
-  for (const mesh::Shape shape : {test::quadrilateral, test::triangle})
-    for (const double radius : {1e-3, 0.03, 0.4}) {
-      energy::TotalForce load{.force = vector(), .moment = vector()};
-      for (const Eigen::Vector3d& point : {Eigen::Vector3d(0.37, 0.61, 0), Eigen::Vector3d(0.2, 1e-4, 0)}) {
-        load.spot = {.point = point, .radius = radius};
-        const auto shell = test::plate_operator(2, shape);
-        const algebra::Vector f = load_vector(shell, {.totals = {load}});
-        // Work in rigid motions, which a flat cell has exactly.
-        Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
-        const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
-        for (std::size_t n = 0; n < f.owned().size() / 6; ++n) {
-          const Eigen::Vector3d own(f.owned()[6 * n], f.owned()[6 * n + 1], f.owned()[6 * n + 2]);
-          force += own;
-          moment += (points[n].phi - point).cross(own);
-        }
-        EXPECT_LT((force - load.force).norm(), 1e-12) << radius;
-        EXPECT_LT((moment - load.moment).norm(), 1e-9) << radius;
+  const auto check = [&](const energy::ShellOperator& shell, const Eigen::Vector3d& point, double radius) {
+    energy::TotalForce load{.force = vector()};
+    load.spot = {.point = point, .radius = radius};
+    const auto points = nodal_geometry(shell.space(), shell.surface(), shell.tables(), shell.sections());
+    const auto resultants = [&](const algebra::Vector& f) {
+      Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+      for (std::size_t n = 0; n < f.owned().size() / 6; ++n) {
+        const Eigen::Vector3d own(f.owned()[6 * n], f.owned()[6 * n + 1], f.owned()[6 * n + 2]);
+        force += own;
+        moment += points[n].phi.cross(own);
       }
+      return std::pair(force, moment);
+    };
+    const auto even = resultants(load_vector(shell, {.totals = {load}}));
+    EXPECT_LT((even.first - load.force).norm(), 1e-12) << radius;
+    // The force acts within the spot.
+    const Eigen::Vector3d arm = point.cross(load.force) - even.second;
+    EXPECT_LT(arm.norm(), 1.1 * radius * load.force.norm() + 1e-12) << radius;
+    load.moment = vector();
+    const auto both = resultants(load_vector(shell, {.totals = {load}}));
+    EXPECT_LT((both.first - load.force).norm(), 1e-9) << radius;
+    EXPECT_LT((both.second - even.second - load.moment).norm(), 1e-9) << radius;
+  };
+  for (const mesh::Shape shape : {test::quadrilateral, test::triangle})
+    for (const double radius : {1e-4, 0.03, 0.4}) {
+      check(test::plate_operator(2, shape), {0.37, 0.61, 0}, radius);
+      check(test::plate_operator(2, shape), {0.2, 1e-5, 0}, radius);
+      check(cap_operator(2, 1, shape), {0.3, 0.4, 2 - std::sqrt(3.75)}, std::max(radius, 1e-2));
     }
 }
 

@@ -138,21 +138,23 @@ TEST(CadFile, RibsReachTheMiddleOfTheirSheet) {
       const std::string output = plastron({"check", "part.toml"}, scratch.path).output;
       char text[64];
       std::snprintf(text, sizeof text, "mid-surface area %.6g mm^2", area);
-      EXPECT_THAT(output, AllOf(HasSubstr(text), HasSubstr(joint), HasSubstr("1 component")))
+      EXPECT_THAT(output, AllOf(HasSubstr(text), HasSubstr(joint), HasSubstr("in 1 part")))
           << e << " " << t << " " << h;
       EXPECT_THAT(output, Not(HasSubstr("slanted rims")));
     };
     const auto plate = [&] { occ::addBox(0, 0, 0, 100, 60, e); };
-    check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), fuse(2); }, 6000 + 100 * (h + e / 2), "three cells");
-    check([&] { plate(), occ::addBox(20, 30, e, 60, t, h), fuse(2); }, 6000 + 60 * (h + e / 2), "three cells");
+    check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), fuse(2); }, 6000 + 100 * (h + e / 2),
+          "branches of three cells");
+    check([&] { plate(), occ::addBox(20, 30, e, 60, t, h), fuse(2); }, 6000 + 60 * (h + e / 2),
+          "branches of three cells");
     check([&] { plate(), occ::addBox(0, 20, e, 100, t, h), occ::addBox(0, 40, e, 100, t, h), fuse(3); },
-          6000 + 200 * (h + e / 2), "three cells");
+          6000 + 200 * (h + e / 2), "branches of three cells");
     check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(0, 10, -h, 100, t, h), fuse(3); },
-          6000 + 200 * (h + e / 2), "three cells");
+          6000 + 200 * (h + e / 2), "branches of three cells");
     check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(0, 0, e + h, 100, 60, e), fuse(3); },
-          12000 + 100 * (h + e), "three cells");
+          12000 + 100 * (h + e), "branches of three cells");
     check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(50, 0, e, t, 60, h), fuse(3); },
-          6000 + 160 * (h + e / 2), "four cells");
+          6000 + 160 * (h + e / 2), "branches of three cells");
     check(  // a tube with a ring
         [&] {
           occ::addCylinder(0, 0, 0, 0, 0, 60, R + e), occ::addCylinder(0, 0, 30, 0, 0, t, R + e + h), fuse(2);
@@ -163,7 +165,8 @@ TEST(CadFile, RibsReachTheMiddleOfTheirSheet) {
           std::erase(all, std::pair(3, bore));
           occ::cut(all, {{3, bore}}, cut, map);
         },
-        2 * pi * (R + e / 2) * 60 + pi * ((R + e + h) * (R + e + h) - (R + e / 2) * (R + e / 2)), "three cells");
+        2 * pi * (R + e / 2) * 60 + pi * ((R + e + h) * (R + e + h) - (R + e / 2) * (R + e / 2)),
+        "branches of three cells");
   }
 }
 
@@ -198,7 +201,7 @@ TEST(CadFile, NothingBesideASheetVanishes) {
   EXPECT_EQ(thick.exit_code, 2);
   EXPECT_THAT(thick.output, HasSubstr("1 of its 2 solids are sheets"));
   EXPECT_THAT(check([] { gmsh::model::occ::addRectangle(0, 0, 20, 40, 30); }).output,
-              AllOf(HasSubstr("2 of 7 faces"), HasSubstr("2 components"), HasSubstr("area 2400 mm^2")));
+              AllOf(HasSubstr("2 of 7 faces"), HasSubstr("in 2 parts"), HasSubstr("area 2400 mm^2")));
   EXPECT_THAT(check([] { gmsh::model::occ::addBox(0, 0, 20, 40, 30, 1); }).output,
               AllOf(HasSubstr("a sheet of 1 mm"), HasSubstr("a sheet of 2 mm"), HasSubstr("area 2400 mm^2")));
   EXPECT_THAT(check([] {}, "offset = 0.5\n").output, HasSubstr("away from the middle"));
@@ -234,7 +237,7 @@ TEST(CadFile, PlatesThatCrossAreJoined) {
     char area[64];
     std::snprintf(area, sizeof area, "mid-surface area %.6g mm^2", 40 * 30 + width * 20);
     EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output,
-                AllOf(HasSubstr(area), HasSubstr("branches of four cells"), HasSubstr("1 component")));
+                AllOf(HasSubstr(area), HasSubstr("branches of three cells or more"), HasSubstr("in 1 part")));
   }
 }
 
@@ -325,7 +328,7 @@ TEST(CadFile, ALoadActsAtAPlaceInSpace) {
   const double force[] = {10, -20, 30}, moment[] = {300 + 30 * 30 + 40 * 20, 200 + 40 * 10, -100 - 30 * 10};
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(loads["force"][k].get<double>(), force[k], 1e-9);
-    EXPECT_NEAR(loads["moment"][k].get<double>(), moment[k], 1e-4 * 1700);
+    EXPECT_NEAR(loads["moment"][k].get<double>(), moment[k], 1e-3 * 1700);
   }
   scratch.write("part.toml", text(45));
   const Outcome off = plastron({"run", "part.toml", "--output", "off"}, scratch.path);

@@ -73,27 +73,30 @@ TEST(LoadedPlaces, ForceAndMomentAreThoseOfTheCase) {
   const std::vector<std::pair<std::string, std::string>> shapes{
       {rectangle + "chart = [\"x\", \"y\", \"0\"]\n", ""},
       {rectangle + "chart = [\"2*sin(x/2)\", \"y\", \"2*cos(x/2)\"]\n", ""},
-      {rectangle + "chart = [\"2*sin(x/2)\", \"y\", \"2*cos(x/2)\"]\n", "[mesh]\nshape = \"triangle\"\ndegree = 2\n"},
+      {rectangle + "chart = [\"2*sin(x/2)\", \"y\", \"2*cos(x/2)\"]\n", "cells = \"triangle\"\n"},
       {rectangle + "chart = [\"x\", \"y\", \"0.3*x*y\"]\n", ""}};
   for (const auto& [geometry, mesh] : shapes) {
     const double x = 0.7 * part(random), y = 0.7 * part(random);
     const double e = 0.02;
     for (const double radius : {0.02, 0.4}) {
-      const std::array<double, 3> F{part(random), part(random), part(random)},
-          M{part(random), part(random), part(random)};
+      // The centroid of a large spot is not known, so it has a moment alone.
+      const std::array<double, 3> M{part(random), part(random), part(random)};
+      const std::array<double, 3> F =
+          radius > 0.1 ? std::array<double, 3>{} : std::array{part(random), part(random), part(random)};
       const json results = results_of(
           scratch,
           fmt::format(
               "[shell]\nE = 1e6\nnu = 0.3\nthickness = {}\n[geometry]\n{}[[support]]\nboundary = \"left\"\nfix = "
               "[\"u\", \"r\"]\n[[load]]\npoint = [{}, {}]\nradius = {}\ntotal = [{}, {}, {}]\nmoment = [{}, {}, {}]\n"
-              "[[probe]]\nname = \"p\"\nat = [{}, {}]\n{}",
+              "[[probe]]\nname = \"p\"\nat = [{}, {}]\n[mesh]\nrefinements = 1\n{}",
               e, geometry, x, y, radius, F[0], F[1], F[2], M[0], M[1], M[2], x, y, mesh));
       const json& place = results["probes"]["p"]["position"];
       const std::array<double, 3> p{place[0], place[1], place[2]};
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
         EXPECT_NEAR(results["loads"]["force"][k].get<double>(), F[k], 1e-9);
-        EXPECT_NEAR(results["loads"]["moment"][k].get<double>(), M[k] + p[i] * F[j] - p[j] * F[i], 1e-4)
+        EXPECT_NEAR(results["loads"]["moment"][k].get<double>(), M[k] + p[i] * F[j] - p[j] * F[i],
+                    radius > 0.1 ? 1e-9 : 1e-3)
             << geometry << radius;
         EXPECT_NEAR(results["support_reaction"]["force"][k].get<double>(), -F[k], 1e-7);
       }

@@ -1,9 +1,11 @@
 // Reads [[load]] and [[temperature]].
 #include <plastron/config/sections.hpp>
+#include <plastron/geometry/pieces.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 namespace plastron::config {
 
@@ -42,9 +44,11 @@ geometry::Expression read_where(Table& load) {
   const geometry::Expression everywhere(1.0);
   if (!load.has("where")) return everywhere;
   const auto where = load.field("where");
-  if (where && where->is_constant())
-    load.report_key("where", "where is no condition: it is the same everywhere", "comparisons of X, Y, Z and x, y",
-                    "write for example where = \"(X - 20)^2 + Y^2 < 9\"");
+  const char* example = "write for example where = \"(X - 20)^2 + Y^2 < 9 && Z > 0\"";
+  if (where && !geometry::is_piecewise(*where))
+    load.report_key("where", "where is no condition", "comparisons of X, Y, Z and x, y", example);
+  else if (where && std::regex_search(where->text(), std::regex("[<>]=?[^&|()?:,<>]*[<>]")))
+    load.report_key("where", "comparisons do not chain", "", "write 0 < X && X < 1 in the place of 0 < X < 1");
   return where.value_or(everywhere);
 }
 
@@ -71,9 +75,13 @@ std::optional<energy::Spot> read_spot(Table& load, const problem::Problem& probl
     load.report_key("where", "a load has a point or a condition, not both", "point or where", "remove one of them");
   energy::Spot spot{.point = read_point(load, problem).value_or(Eigen::Vector3d::Zero())};
   const geometry::Expression& thickness = problem.shell.sections.common.thickness;
-  if (load.has("radius"))
+  constexpr double least = 1e-3;
+  if (load.has("radius")) {
     spot.radius = load.number("radius").value_or(1);
-  else if (thickness.is_constant())
+    if (thickness.is_constant() && spot.radius < least * thickness(0, 0))
+      load.report("radius", fmt::format("the radius is below a thousandth of the thickness {:g}", thickness(0, 0)), "",
+                  "a force on so small a spot says nothing about the shell; leave radius out");
+  } else if (thickness.is_constant())
     load.effective["radius"] = spot.radius = thickness(0, 0);
   else
     load.report_key("point", "the thickness varies, so the load needs a radius", "",
@@ -174,13 +182,13 @@ std::vector<Section> load_sections() {
             "length of the boundaries, where a curve of two of them counts twice. On a part of a symmetric shell, the "
             "force on this part. Beside it only moment"),
         key("moment", Kind::vector, {.unit = "N m"},
-            "sum of the moment, about the centroid of the places or about point, of forces that vary linearly over the "
-            "places, as if a rigid plate were fixed there"),
+            "sum of the moment, about the centroid of the places, of forces that vary linearly over the places, as if "
+            "a "
+            "rigid plate were fixed there"),
         key("point", Kind::place, {.example = "[0.2, 0, 0.1]"},
-            "[X, Y, Z], on the undeformed shell, or x and y of a chart: total and moment act there. They are spread "
-            "over "
-            "the places nearer than radius. Also near an edge the force and the moment about the point are the given "
-            "ones"),
+            "[X, Y, Z], on the undeformed shell, or x and y of a chart: total and moment are spread over the places "
+            "nearer "
+            "than radius"),
         key("radius", Kind::number, {.unit = "m", .range = Range::positive()},
             "of the places around point; if not given, the thickness"),
         key("pressure", Kind::field, {.unit = "N/m^2"},

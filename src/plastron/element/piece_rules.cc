@@ -272,7 +272,7 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh
 
 PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell,
                         const Places& places) {
-  constexpr std::size_t most_parts = 30'000;
+  constexpr std::size_t most_parts = 4'000;
   constexpr int most_divisions = 30;
   constexpr double small = 1.0 / 64;  // shape functions are nearly linear over such a part: one point is enough
   PieceRule rule;

@@ -47,14 +47,19 @@ void add_function(const VectorFunction& f, std::span<const geometry::Place> plac
     values.row(static_cast<Eigen::Index>(p)).segment<3>(column) += f(places[p].x, places[p].y);
 }
 
-/// Sets values to 0 at places where a load does not act.
-void keep_where(const geometry::Expression& where, std::span<const geometry::Place> places,
+/// Sets values to 0 at places where a load does not act. Returns whether it acts at some place.
+bool keep_where(const geometry::Expression& where, std::span<const geometry::Place> places,
                 element::CellField& values) {
-  if (where.is_constant() && where(0, 0) != 0) return;
+  if (where.is_constant() && where(0, 0) != 0) return true;
   std::vector<double> holds(places.size());
   where.evaluate(places, holds);
   for (std::size_t p = 0; p < places.size(); ++p)
     if (holds[p] == 0) values.row(static_cast<Eigen::Index>(p)).setZero();
+  return std::ranges::any_of(holds, [](double value) { return value != 0; });
+}
+
+std::string acts_nowhere(const geometry::Expression& where) {
+  return fmt::format("a load acts nowhere: where = \"{}\" holds at no place of it", where.text());
 }
 
 /// Pieces of expressions that have several pieces.
@@ -124,6 +129,9 @@ class LoadSum {
         shell_.scatter(edge.cell, on_side(load, edge, functions), f_);
   }
 
+  /// Whether a load acts at some place of the cells of this rank.
+  bool acts(const void* load) const { return acting_.contains(load); }
+
   void throw_if_not_finite() const {
     if (not_finite_)
       throw LoadError(fmt::format(
@@ -171,7 +179,7 @@ class LoadSum {
       add_function(load->couple_function, places, 3, own);
       load->pressure.evaluate(places, pressure);
       for (int q = 0; q < own.rows(); ++q) own.row(q).head<3>() += pressure[static_cast<std::size_t>(q)] * normal(q);
-      keep_where(load->where, places, own);
+      if (keep_where(load->where, places, own)) acting_.insert(load);
       values += own;
     }
     if (!loads.weight.isZero(0)) add_weight(loads, places, values);
@@ -252,7 +260,7 @@ class LoadSum {
     element::CellField values = element::CellField::Zero(static_cast<Eigen::Index>(xi.size()), 6);
     add_expression(load.force, places, 0, values);
     add_expression(load.couple, places, 3, values);
-    keep_where(load.where, places, values);
+    if (keep_where(load.where, places, values)) acting_.insert(&load);
     note(values, places);
     const Vector2d along = mesh::side_tangent(space_.shape(), edge.side);
     for (std::size_t q = 0; q < xi.size(); ++q)
@@ -270,114 +278,134 @@ class LoadSum {
   mesh::Rule line_;
   algebra::Vector& f_;
   std::optional<Vector2d> not_finite_{};
+  std::set<const void*> acting_{};  ///< loads that act at some place
 };
 
 }  // namespace
 
 namespace {
 
-algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads);
-
-/// The place of a load: its area, or its length, and centroid (collective).
-class LoadedPlace {
- public:
-  LoadedPlace(const ShellOperator& shell, const TotalForce& load) : shell_(shell), load_(load) {
-    const auto sums = load.is_even() ? integrals({"1", "0", "0"}, {}) : integrals({"X", "Y", "Z"}, {"1", "0", "0"});
-    size_ = sums[load.is_even() ? 0 : 3];
-    if (size_ > 0) {
-      centre_ = sums.head<3>() / size_;
-      return;
-    }
-    if (load.spot)
-      throw LoadError(
-          fmt::format("a load acts nowhere: no place of the shell is nearer than radius = {:.6g} to its point "
-                      "({:.6g}, {:.6g}, {:.6g}); correct the point, or give a larger radius",
-                      load.spot->radius, load.spot->point[0], load.spot->point[1], load.spot->point[2]));
-    throw LoadError(fmt::format("a load acts nowhere: where = \"{}\" holds at no place of it", load.where.text()));
-  }
-
-  /// Returns forces that have the sum and the moment of the load.
-  algebra::Vector forces() const {
-    const Vector3d even = load_.force / size_;
-    if (load_.is_even())
-      return forces_of(shell_, load_.spread({geometry::Expression(even[0]), geometry::Expression(even[1]),
-                                             geometry::Expression(even[2])}));
-    const Vector3d arm = load_.spot ? Vector3d(load_.spot->point - centre_) : Vector3d::Zero();
-    const Vector3d omega = rotation(load_.moment + arm.cross(load_.force));
-    const auto component = [&](int k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      return fmt::format("{:.17g} + ({:.17g}) * {} - ({:.17g}) * {}", even[k], omega[i], from_centre(j), omega[j],
-                         from_centre(i));
-    };
-    return forces_of(shell_, load_.spread(expressions({component(0), component(1), component(2)})));
-  }
-
- private:
-  using Texts = std::array<std::string, 3>;
-
-  static VectorExpression expressions(const Texts& texts) {
-    VectorExpression f;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!texts[k].empty()) f[k] = geometry::Expression::made(texts[k], {});
-    return f;
-  }
-
-  /// Returns the text of a component of X - c.
-  std::string from_centre(int k) const { return fmt::format("({} - ({:.17g}))", "XYZ"[k], centre_[k]); }
-
-  /// Returns the integrals of six functions.
-  Eigen::Vector<double, 6> integrals(const Texts& first, const Texts& second) const {
-    Loads loads = load_.spread(expressions(first));
-    for (AreaLoad& load : loads.on_areas) load.couple = expressions(second);
-    for (EdgeLoad& load : loads.on_edges) load.couple = expressions(second);
-    const algebra::Vector f = forces_of(shell_, loads);
-    Eigen::Vector<double, 6> sums = Eigen::Vector<double, 6>::Zero();
-    for (std::size_t at = 0; at < f.owned().size(); at += 6)
-      for (std::size_t k = 0; k < 6; ++k) sums[static_cast<Eigen::Index>(k)] += f.owned()[at + k];
-    for (double& sum : sums) sum = algebra::sum_over_ranks(sum, shell_.space().layout->comm);
-    return sums;
-  }
-
-  /// Returns omega with int d x (omega x d) = M, d = X - c.
-  Vector3d rotation(const Vector3d& moment) const {
-    const Texts d{from_centre(0), from_centre(1), from_centre(2)};
-    const auto products = integrals({d[0] + "^2", d[1] + "^2", d[2] + "^2"},
-                                    {d[1] + " * " + d[2], d[2] + " * " + d[0], d[0] + " * " + d[1]});
-    Eigen::Matrix3d inertia = products.head<3>().sum() * Eigen::Matrix3d::Identity();
-    for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      inertia(k, k) -= products[k];
-      inertia(i, j) -= products[3 + k];
-      inertia(j, i) -= products[3 + k];
-    }
-    constexpr double straight = 1e-9;  // relative to the largest inertia
-    Eigen::JacobiSVD<Eigen::Matrix3d> solver(inertia, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    solver.setThreshold(straight);
-    const Vector3d omega = solver.solve(moment);
-    if ((inertia * omega - moment).norm() > straight * moment.norm())
-      throw LoadError(
-          "the moment of a load turns about the straight line of its places, and forces on a line have no moment about "
-          "it; give the load a region or a point, or write it as couple");
-    return omega;
-  }
-
-  const ShellOperator& shell_;
-  const TotalForce& load_;
-  double size_ = 0;  ///< area or length
-  Vector3d centre_ = Vector3d::Zero();
-};
-
-/// Returns the forces of loads, without those of rigid bodies (collective).
-algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads) {
+/// Returns the forces of loads per area and length. `wants_places`: a load must act somewhere (collective).
+algebra::Vector spread_forces(const ShellOperator& shell, const Loads& loads, bool wants_places) {
   algebra::Vector f(shell.space().layout, 6);
+  MPI_Comm comm = shell.space().layout->comm;
+  LoadSum sum(shell, f);
   // Loads may be functions of the caller, and only one rank may find a value that is not finite.
-  algebra::in_agreement<LoadError>(shell.space().layout->comm, [&] {
-    LoadSum sum(shell, f);
+  algebra::in_agreement<LoadError>(comm, [&] {
     sum.add_area_loads(loads.on_areas, loads.gravity);
     for (const EdgeLoad& load : loads.on_edges) sum.add_edge_load(load);
     sum.throw_if_not_finite();
   });
   f.accumulate_ghosts();
+  const auto check = [&](const auto& all) {
+    for (const auto& load : all)
+      if (!load.where.is_constant() && algebra::sum_over_ranks(sum.acts(&load) ? 1.0 : 0.0, comm) == 0)
+        throw LoadError(acts_nowhere(load.where));
+  };
+  if (wants_places) check(loads.on_areas);
+  if (wants_places) check(loads.on_edges);
+  return f;
+}
+
+/// The place of a load (collective). Its integrals are sums over nodes, so that the sums of force and moment in results are exact.
+class LoadedPlace {
+ public:
+  LoadedPlace(const ShellOperator& shell, const TotalForce& load)
+      : shell_(shell), load_(load), areas_(nodal({"1", "", ""})), size_(sum(areas_)[0]) {
+    if (size_ > 0) return;
+    if (load.spot)
+      throw LoadError(
+          fmt::format("a load acts nowhere: no place of the shell is nearer than radius = {:.6g} to its point "
+                      "({:.6g}, {:.6g}, {:.6g}); correct the point, or give a larger radius",
+                      load.spot->radius, load.spot->point[0], load.spot->point[1], load.spot->point[2]));
+    throw LoadError(acts_nowhere(load.where));
+  }
+
+  /// Returns forces that have the sum and the moment of the load.
+  algebra::Vector forces() const {
+    algebra::Vector f(shell_.space().layout, 6);
+    for (std::size_t at = 0; at < f.owned().size(); at += 6) set(at, load_.force * (areas_.owned()[at] / size_), f);
+    if (!load_.moment.isZero(0)) add_moment(f);
+    return f;
+  }
+
+ private:
+  using Texts = std::array<std::string, 3>;
+
+  static void set(std::size_t at, const Vector3d& force, algebra::Vector& f) {
+    for (std::size_t k = 0; k < 3; ++k) f.owned()[at + k] += force[static_cast<Eigen::Index>(k)];
+  }
+
+  static Vector3d at_node(const algebra::Vector& f, std::size_t at) {
+    return {f.owned()[at], f.owned()[at + 1], f.owned()[at + 2]};
+  }
+
+  /// Returns the integrals of three functions times each shape function.
+  algebra::Vector nodal(const Texts& texts) const {
+    VectorExpression density;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!texts[k].empty()) density[k] = geometry::Expression::made(texts[k], {});
+    return spread_forces(shell_, load_.spread(density), false);
+  }
+
+  Vector3d sum(const algebra::Vector& f) const {
+    Vector3d all = Vector3d::Zero();
+    for (std::size_t at = 0; at < f.owned().size(); at += 6) all += at_node(f, at);
+    for (double& component : all) component = algebra::sum_over_ranks(component, shell_.space().layout->comm);
+    return all;
+  }
+
+  /// Positions of the owned nodes.
+  std::vector<Vector3d> positions() const {
+    const fem::Space& space = shell_.space();
+    std::vector<Vector3d> all(areas_.owned().size() / 6, Vector3d::Zero());
+    const std::vector<Vector2d> xi = mesh::node_points(space.shape(), space.degree);
+    for (std::size_t c = 0; c < space.owned_cells; ++c) {
+      const auto places = shell_.surface().places(space.cells[c], xi, true);
+      const auto nodes = space.nodes(c);
+      for (std::size_t k = 0; k < xi.size(); ++k)
+        if (const auto node = static_cast<std::size_t>(nodes[k]); node < all.size())
+          all[node] = {places[k].X, places[k].Y, places[k].Z};
+    }
+    return all;
+  }
+
+  /// Adds omega x (X - c) per area, with omega such that the moment about c is the given one.
+  void add_moment(algebra::Vector& f) const {
+    const std::vector<Vector3d> position = positions();
+    algebra::Vector weighted(shell_.space().layout, 6);  // by position
+    for (std::size_t at = 0; at < f.owned().size(); at += 6) set(at, areas_.owned()[at] * position[at / 6], weighted);
+    const Vector3d centre = sum(weighted) / size_;
+    const auto from_centre = [&](int k) { return fmt::format("{} - ({:.17g})", "XYZ"[k], centre[k]); };
+    algebra::Vector arms = nodal({from_centre(0), from_centre(1), from_centre(2)});
+    const Vector3d rest = sum(arms) / size_;
+    for (std::size_t at = 0; at < f.owned().size(); at += 6) set(at, -rest * areas_.owned()[at], arms);
+    Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // sum of d x (omega x arm)
+    for (std::size_t at = 0; at < f.owned().size(); at += 6) {
+      const Vector3d d = position[at / 6] - centre, arm = at_node(arms, at);
+      inertia += d.dot(arm) * Eigen::Matrix3d::Identity() - arm * d.transpose();
+    }
+    for (double& entry : inertia.reshaped()) entry = algebra::sum_over_ranks(entry, shell_.space().layout->comm);
+    constexpr double straight = 1e-9;  // relative to the largest inertia
+    Eigen::JacobiSVD<Eigen::Matrix3d> solver(inertia, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    solver.setThreshold(straight);
+    const Vector3d omega = solver.solve(load_.moment);
+    if ((inertia * omega - load_.moment).norm() > straight * load_.moment.norm())
+      throw LoadError(
+          "the moment of a load turns about the straight line of its places, and forces on a line have no moment about "
+          "it; give the load a region or a point, or write it as couple");
+    for (std::size_t at = 0; at < f.owned().size(); at += 6) set(at, omega.cross(at_node(arms, at)), f);
+  }
+
+  const ShellOperator& shell_;
+  const TotalForce& load_;
+  algebra::Vector areas_;  ///< of the nodes: the place's area, or its length, in the first component
+  double size_;            ///< their sum
+};
+
+/// Returns the forces of loads, without those of rigid bodies (collective).
+algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads) {
+  algebra::Vector f = spread_forces(shell, loads, true);
   for (const TotalForce& total : loads.totals) algebra::axpy(1, LoadedPlace(shell, total).forces(), f);
   return f;
 }

@@ -61,7 +61,7 @@ struct Spot {
 };
 
 /// Dead force F and moment M of known sums, spread over an area or, if boundaries are named, over a length. The force per area is
-/// F / A + omega x (X - c): c is the centroid, A the area, and omega gives the moment M about the spot's point, or about c.
+/// F / A + omega x (X - c): c is the centroid, A the area, and omega gives the moment M about c.
 struct TotalForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m]
@@ -71,7 +71,6 @@ struct TotalForce {
   std::optional<Spot> spot{};          ///< the load acts inside this alone, and `where` is not used
   int factor = -1;                     ///< see Factors::named
 
-  bool is_even() const { return !spot && moment.isZero(0); }
   /// Returns the loads of a force per area or length at its place.
   Loads spread(const VectorExpression& density) const;
 };
