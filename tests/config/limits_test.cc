@@ -78,8 +78,8 @@ TEST(UnknownWord, OfSpringsFrictionPointLoadsAndCasesNamesTheLimitAndWhatToDo) {
       {"point-loads",
        {"force", "forces", "moment", "point_load", "point_loads", "point_force", "nodal_load", "nodal_forces",
         "concentrated_load", "concentrated_force"},
-       {"[[load]] point", "[[load]] at", "[[load]] node", "[[load]] point_load"},
-       "a pressure on a small patch"}};
+       {"[[load]] at", "[[load]] node", "[[load]] nodes", "[[load]] point_load"},
+       "`point`, `radius` and `total`"}};
   for (const auto& [limit, names, keys, advice] : all) {
     const auto says = AllOf(HasSubstr("unknown"), HasSubstr(std::string("(docs/limits.md, ") + limit + ")"),
                             HasSubstr(std::string("Instead: ") + advice));

@@ -95,7 +95,8 @@ class Borders {
   }
 
   /// The interval that arithmetic cannot separate from the last border. Where a border runs along a line, it has a length.
-  /// What follows it is taken in steps of this length, since steps of the smallest one would be millions.
+  /// What follows it is taken in steps of a part of this length, since steps of the smallest one would be millions. The part is
+  /// small enough for boxes around oblique steps, which touch a border from some lengths away.
   struct Run {
     double begin = -1, end = -1;
 
@@ -109,7 +110,8 @@ class Borders {
     }
     /// Length of intervals from t on that are not divided.
     double step_at(double t, double first, double next) const {
-      return goes_on_at(t) ? std::max(next, end - begin) : first;
+      constexpr double part = 1.0 / 32;
+      return goes_on_at(t) ? std::max(next, part * (end - begin)) : first;
     }
   };
 
@@ -272,7 +274,7 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh
 
 PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell,
                         const Places& places) {
-  constexpr std::size_t most_parts = 4'000;
+  constexpr std::size_t most_parts = 30'000;
   constexpr int most_divisions = 30;
   constexpr double small = 1.0 / 64;  // shape functions are nearly linear over such a part: one point is enough
   PieceRule rule;
