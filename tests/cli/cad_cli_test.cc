@@ -272,7 +272,7 @@ TEST(CadFile, RoundRimsAndOverlapsAreWarnedOf) {
     std::vector<gmsh::vectorpair> map;
     occ::cut({{3, 1}}, {{3, 2}}, cut, map);
   };
-  EXPECT_THAT(check([&] { plate_with(2, 8); }), HasSubstr("round, chamfered or slanted rims"));
+  EXPECT_THAT(check([&] { plate_with(3.5, 6.5); }), HasSubstr("round, chamfered or slanted rims"));
   EXPECT_THAT(check([&] { plate_with(5, 5 + 1e-6); }), Not(HasSubstr("slanted rims")));
   EXPECT_THAT(check([&] {
                 occ::addRectangle(0, 0, 0, 40, 30);
@@ -371,7 +371,7 @@ TEST(CadFile, WrongChoicesAreTold) {
     EXPECT_THAT(output, Not(HasSubstr("has no condition"))) << output;
     EXPECT_THAT(output, Not(HasSubstr("terminate"))) << output;
   }
-  EXPECT_THAT(edges("{ at = [0, 0, 0] }"), HasSubstr("is as near to edge 1 as to edge 4"));
+  EXPECT_THAT(edges("{ at = [0, 0, 0] }"), HasSubstr("is as near to edge 1 as to edge"));
   EXPECT_THAT(region("{ at = [50, 30, 0] }"), HasSubstr("is as near to face 1 as to face 2"));
   EXPECT_THAT(boundaries("[[boundary]]\nname = \"edge 1\"\nedges = \"edge 4\"\n"),
               HasSubstr("has the name of another edge"));
@@ -381,7 +381,7 @@ TEST(CadFile, WrongChoicesAreTold) {
                          "\"edge 1\"\n"),
               HasSubstr("two [[boundary]] are named \"a\""));
   EXPECT_THAT(check("tolerance = 12\n"), HasSubstr("above a hundredth of the part's diagonal"));
-  EXPECT_THAT(check("size = 1e-9\n"), HasSubstr("size must be at least"));
+  EXPECT_THAT(check("size = 1e-9\n"), HasSubstr("at most 200000 are made"));
   scratch.write("part.toml", case_of("domain = { rectangle = { to = [1, 1] } }\nchart = [\"x\", \"y\", \"0\"]\n",
                                      "[[boundary]]\nname = \"rim\"\nedges = \"edge 1\"\n"));
   EXPECT_THAT(plastron({"check", "part.toml"}, scratch.path).output, HasSubstr("[geometry] has none"));
