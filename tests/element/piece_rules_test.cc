@@ -171,7 +171,7 @@ TEST(PieceRules, GiveUpWhereBordersAreTooManyAndPartsDivideTheCellThen) {
         of_cell.xi.emplace_back(line.points[i], line.points[j]);
         of_cell.weights.push_back(line.weights[i] * line.weights[j]);
       }
-    const PieceRule parts = rule_of_parts({&few}, shape, of_cell, unchanged);
+    const PieceRule parts = rule_of_parts({&few}, shape, of_cell, unchanged, 30'000);
     const bool is_triangle = shape == Shape::triangle;
     EXPECT_GT(parts.xi.size(), 10 * of_cell.xi.size());
     EXPECT_NEAR(integral(parts, "x + 2*y < 0.9"), 0.9 * 0.45 / 2, 1e-5);

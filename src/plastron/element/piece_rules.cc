@@ -272,9 +272,8 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh
   return rule;
 }
 
-PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell,
-                        const Places& places) {
-  constexpr std::size_t most_parts = 30'000;
+PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell, const Places& places,
+                        std::size_t most_parts) {
   constexpr int most_divisions = 30;
   constexpr double small = 1.0 / 64;  // shape functions are nearly linear over such a part: one point is enough
   PieceRule rule;

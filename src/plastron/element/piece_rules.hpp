@@ -37,9 +37,9 @@ std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh
                                               const Places& places);
 
 /// Returns a rule for a cell with too many borders. Each part of the cell that no border crosses has the cell's rule.
-/// The remaining parts have it too when there are thousands.
-PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell,
-                        const Places& places);
+/// The remaining parts have it too when there are `most_parts`.
+PieceRule rule_of_parts(const PiecesOfAll& functions, mesh::Shape shape, const PieceRule& of_cell, const Places& places,
+                        std::size_t most_parts);
 
 /// Returns the rule of rule_between_borders for a side of a cell, from its start to its end.
 std::optional<PieceRule> rule_between_borders(const PiecesOfAll& functions, mesh::Shape shape, int side, int degree,

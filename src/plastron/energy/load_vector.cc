@@ -93,8 +93,9 @@ struct RegionLoads {
 /// Sums loads, and remembers the first place where a load is not finite.
 class LoadSum {
  public:
-  LoadSum(const ShellOperator& shell, algebra::Vector& f)
-      : shell_(shell), space_(shell.space()), line_(mesh::gauss(space_.degree + 1)), f_(f) {}
+  /// `is_spot`: the loads act in one spot, and their sums are put right afterwards, so a coarse rule is enough.
+  LoadSum(const ShellOperator& shell, algebra::Vector& f, bool is_spot)
+      : shell_(shell), space_(shell.space()), line_(mesh::gauss(space_.degree + 1)), f_(f), is_spot_(is_spot) {}
 
   void add_area_loads(const std::vector<AreaLoad>& all, const Vector3d& gravity) {
     std::vector<LoadPieces> pieces(all.size());
@@ -205,9 +206,12 @@ class LoadSum {
     const element::Places places = places_in(c, loads.use_space);
     if (element::are_one_piece(loads.functions, space_.shape(), places)) return on_smooth_cell(loads, c);
     const element::ElementTables& tables = shell_.tables();
-    auto rule = element::rule_between_borders(loads.functions, space_.shape(), space_.degree, places);
+    std::optional<element::PieceRule> rule;
+    if (!is_spot_) rule = element::rule_between_borders(loads.functions, space_.shape(), space_.degree, places);
+    constexpr std::size_t many = 30'000, few = 500;
     if (!rule)
-      rule = element::rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, places);
+      rule = element::rule_of_parts(loads.functions, space_.shape(), {tables.quadrature.xi, tables.weights}, places,
+                                    is_spot_ ? few : many);
     return on_points(loads, c, rule->xi, rule->weights);
   }
 
@@ -277,6 +281,7 @@ class LoadSum {
   const fem::Space& space_;
   mesh::Rule line_;
   algebra::Vector& f_;
+  bool is_spot_;
   std::optional<Vector2d> not_finite_{};
   std::set<const void*> acting_{};  ///< loads that act at some place
 };
@@ -285,11 +290,11 @@ class LoadSum {
 
 namespace {
 
-/// Returns the forces of loads per area and length. `wants_places`: a load must act somewhere (collective).
-algebra::Vector spread_forces(const ShellOperator& shell, const Loads& loads, bool wants_places) {
+/// Returns the forces of loads per area and length, of which each must act somewhere, or of a spot (collective).
+algebra::Vector spread_forces(const ShellOperator& shell, const Loads& loads, bool is_spot = false) {
   algebra::Vector f(shell.space().layout, 6);
   MPI_Comm comm = shell.space().layout->comm;
-  LoadSum sum(shell, f);
+  LoadSum sum(shell, f, is_spot);
   // Loads may be functions of the caller, and only one rank may find a value that is not finite.
   algebra::in_agreement<LoadError>(comm, [&] {
     sum.add_area_loads(loads.on_areas, loads.gravity);
@@ -302,8 +307,8 @@ algebra::Vector spread_forces(const ShellOperator& shell, const Loads& loads, bo
       if (!load.where.is_constant() && algebra::sum_over_ranks(sum.acts(&load) ? 1.0 : 0.0, comm) == 0)
         throw LoadError(acts_nowhere(load.where));
   };
-  if (wants_places) check(loads.on_areas);
-  if (wants_places) check(loads.on_edges);
+  if (!is_spot) check(loads.on_areas);
+  if (!is_spot) check(loads.on_edges);
   return f;
 }
 
@@ -312,13 +317,11 @@ class LoadedPlace {
  public:
   LoadedPlace(const ShellOperator& shell, const TotalForce& load)
       : shell_(shell), load_(load), areas_(nodal({"1", "", ""})), size_(sum(areas_)[0]) {
-    if (size_ > 0) return;
-    if (load.spot)
-      throw LoadError(
-          fmt::format("a load acts nowhere: no place of the shell is nearer than radius = {:.6g} to its point "
-                      "({:.6g}, {:.6g}, {:.6g}); correct the point, or give a larger radius",
-                      load.spot->radius, load.spot->point[0], load.spot->point[1], load.spot->point[2]));
-    throw LoadError(acts_nowhere(load.where));
+    if (size_ > 0 || !load.spot) return;
+    throw LoadError(
+        fmt::format("a load acts nowhere: no place of the shell is nearer than radius = {:.6g} to its point "
+                    "({:.6g}, {:.6g}, {:.6g}); correct the point, or give a larger radius",
+                    load.spot->radius, load.spot->point[0], load.spot->point[1], load.spot->point[2]));
   }
 
   /// Returns forces that have the sum and the moment of the load.
@@ -345,7 +348,7 @@ class LoadedPlace {
     VectorExpression density;
     for (std::size_t k = 0; k < 3; ++k)
       if (!texts[k].empty()) density[k] = geometry::Expression::made(texts[k], {});
-    return spread_forces(shell_, load_.spread(density), false);
+    return spread_forces(shell_, load_.spread(density), load_.spot.has_value());
   }
 
   Vector3d sum(const algebra::Vector& f) const {
@@ -405,7 +408,7 @@ class LoadedPlace {
 
 /// Returns the forces of loads, without those of rigid bodies (collective).
 algebra::Vector forces_of(const ShellOperator& shell, const Loads& loads) {
-  algebra::Vector f = spread_forces(shell, loads, true);
+  algebra::Vector f = spread_forces(shell, loads);
   for (const TotalForce& total : loads.totals) algebra::axpy(1, LoadedPlace(shell, total).forces(), f);
   return f;
 }
