@@ -41,7 +41,7 @@ std::vector<std::string> regions_of(Table& table) {
 
 /// Returns the condition of the places where a load acts.
 geometry::Expression read_where(Table& load) {
-  const geometry::Expression everywhere(1.0);
+  geometry::Expression everywhere(1.0);
   if (!load.has("where")) return everywhere;
   const auto where = load.field("where");
   const char* example = "write for example where = \"(X - 20)^2 + Y^2 < 9 && Z > 0\"";
