@@ -6,6 +6,7 @@
 // Exit codes: 0; 2 with one message on standard error if the part cannot be meshed; a signal where a library fails.
 #include "frozen_mesh.hpp"
 #include "mid_surface.hpp"
+#include "sheets.hpp"
 
 #include <plastron/topology/surface_patch.hpp>
 

@@ -22,7 +22,7 @@ inline Vector3d vector_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 inline Vector3d vector_of(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 inline gp_Pnt point_of(const Vector3d& p) { return {p[0], p[1], p[2]}; }
 inline gp_Vec gp_vec_of(const Vector3d& v) { return {v[0], v[1], v[2]}; }
-double length_of(const TopoDS_Edge& edge);          ///< [mm]
+double length_of(const TopoDS_Shape& shape);        ///< sum over its edges [mm]
 double volume_of(const TopoDS_Shape& shape);        ///< [mm^3]
 double area_of(const TopoDS_Shape& shape);          ///< [mm^2]
 double precise_area_of(const TopoDS_Shape& shape);  ///< to ten digits [mm^2]

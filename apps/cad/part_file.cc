@@ -200,9 +200,9 @@ double precise_area_of(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
-double length_of(const TopoDS_Edge& edge) {
+double length_of(const TopoDS_Shape& shape) {
   GProp_GProps properties;
-  BRepGProp::LinearProperties(edge, properties);
+  BRepGProp::LinearProperties(shape, properties);
   return properties.Mass();
 }
 

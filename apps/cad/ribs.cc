@@ -1,6 +1,7 @@
 #include "ribs.hpp"
 
-#include <BRepAdaptor_Surface.hxx>
+#include "face_surface.hpp"
+
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -11,7 +12,6 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
-#include <BRep_Tool.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_OffsetCurve.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
@@ -24,10 +24,6 @@
 #include <gp_Lin.hxx>
 
 #include <fmt/format.h>
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <iterator>
 
@@ -35,7 +31,7 @@ namespace plastron::cad {
 
 namespace {
 
-/// What lies beyond one end of a rib, in the plane of its middle.
+/// The plane of a rib's middle beyond one of its edges.
 struct Beyond {
   Handle(Geom_Curve) curve;  ///< the edge
   double first = 0, last = 0;
@@ -143,10 +139,7 @@ TopoDS_Face piece_at(const gp_Pnt& point, const TopoDS_Face& face, const std::ve
 
 /// Turns a plane face such that its normal is the given one.
 TopoDS_Face turned_to(const Vector3d& normal, const TopoDS_Face& face) {
-  const gp_Dir own = BRepAdaptor_Surface(face, false).Plane().Axis().Direction();
-  const bool is_direct = BRepAdaptor_Surface(face, false).Plane().Direct();
-  const double sense = (is_direct ? 1 : -1) * (face.Orientation() == TopAbs_REVERSED ? -1 : 1);
-  return sense * Vector3d(own.X(), own.Y(), own.Z()).dot(normal) > 0 ? face : TopoDS::Face(face.Reversed());
+  return FaceSurface(face).nearest(Vector3d::Zero()).normal->dot(normal) > 0 ? face : TopoDS::Face(face.Reversed());
 }
 
 /// The largest part of a face that the line of a bend divides; the face itself where the line does not.

@@ -94,9 +94,9 @@ class Borders {
     return {enclosed(&Place::x), enclosed(&Place::y), enclosed(&Place::X), enclosed(&Place::Y), enclosed(&Place::Z)};
   }
 
-  /// The interval that arithmetic cannot separate from the last border. Where a border runs along a line, it has a length.
-  /// What follows it is taken in steps of a part of this length, since steps of the smallest one would be millions. The part is
-  /// small enough for boxes around oblique steps, which touch a border from some lengths away.
+  /// The interval that arithmetic cannot separate from the last border. Where a border runs along a line, this interval is long, and
+  /// the search goes on behind it in steps of 1/32 of its length: the smallest steps would be millions. Larger steps could pass
+  /// over the next border, because boxes around oblique steps touch a border from some lengths away.
   struct Run {
     double begin = -1, end = -1;
 
