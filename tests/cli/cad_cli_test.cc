@@ -155,18 +155,26 @@ TEST(CadFile, RibsReachTheMiddleOfTheirSheet) {
           12000 + 100 * (h + e), "branches of three cells");
     check([&] { plate(), occ::addBox(0, 30, e, 100, t, h), occ::addBox(50, 0, e, t, 60, h), fuse(3); },
           6000 + 160 * (h + e / 2), "branches of three cells");
-    check(  // a tube with a ring
+    const auto bore = [&](int outer) {
+      const int inner = occ::addCylinder(0, 0, -1, 0, 0, 62, R);
+      gmsh::vectorpair cut;
+      std::vector<gmsh::vectorpair> map;
+      occ::cut({{3, outer}}, {{3, inner}}, cut, map);
+    };
+    const double middle = R + e / 2, tube = 2 * pi * middle * 60;
+    check(
         [&] {
           occ::addCylinder(0, 0, 0, 0, 0, 60, R + e), occ::addCylinder(0, 0, 30, 0, 0, t, R + e + h), fuse(2);
-          const int bore = occ::addCylinder(0, 0, -1, 0, 0, 62, R);
-          gmsh::vectorpair all, cut;
-          std::vector<gmsh::vectorpair> map;
-          occ::getEntities(all, 3);
-          std::erase(all, std::pair(3, bore));
-          occ::cut(all, {{3, bore}}, cut, map);
+          bore(1);
         },
-        2 * pi * (R + e / 2) * 60 + pi * ((R + e + h) * (R + e + h) - (R + e / 2) * (R + e / 2)),
-        "branches of three cells");
+        tube + pi * ((R + e + h) * (R + e + h) - middle * middle), "branches of three cells");
+    const double y = R * (0.3 + 0.4 * part(random));  // a fin that is not radial
+    check(
+        [&] {
+          occ::addCylinder(0, 0, 0, 0, 0, 60, R + e), occ::addBox(0, y - t / 2, 0, 60, t, 60), fuse(2);
+          bore(1);
+        },
+        tube + 60 * (60 - std::sqrt(middle * middle - y * y)), "branches of three cells");
   }
 }
 
