@@ -93,7 +93,7 @@ std::optional<energy::Spot> read_spot(Table& load, const problem::Problem& probl
 bool read_total(Table& load, problem::Problem& problem) {
   if (!load.has("total") && !load.has("moment")) {
     for (const char* name : {"point", "radius"})
-      if (load.has(name))
+      if (load.has(name) && load.other_entries().empty())  // else total may be mistyped
         load.report_key(name, fmt::format("{} is for a load with a known sum", name), "total, moment",
                         "add total = [0, 0, -100], or choose places by where");
     return false;
